@@ -4,6 +4,7 @@
 //! Storage and kernels are faer's; what lives here is what the contact problem
 //! needs on top of them.
 
+pub mod krylov;
 mod operator;
 mod symmetric;
 pub mod vector;
