@@ -29,7 +29,6 @@
 
 mod active_set;
 mod error;
-mod inner;
 mod methods;
 mod observe;
 pub mod operator;

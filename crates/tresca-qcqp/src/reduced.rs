@@ -13,7 +13,7 @@
 //! symmetrised methods (MSSN and kin); with tangents taken at y = λ − ρ r(λ),
 //! x the bound blocks projected, and c̃ = (‖y‖/g − 1)/ρ, it *is* the step of SSN.
 
-use crate::sets::{BlockSet, BlockState, ConvexSet, ProductSet};
+use crate::sets::{BlockSet, BlockState, ProductSet};
 use crate::{ActiveSet, DualOperator};
 use faer::{Mat, MatRef};
 use tresca_la::LinearOperator;

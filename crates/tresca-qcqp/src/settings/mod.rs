@@ -59,8 +59,8 @@ settings! {
         tolerance: f64 = 1e-8, Range::open(0.0, 1.0);
         /// Largest number of iterations.
         max_iterations: usize = 1000, Range::at_least(0.0);
-        /// Step ρ of the projected gradient, in units of 1/σmax. gimssn needs a value below 2; grssn and
-        /// apgd need at most 1.
+        /// ρ in y = λ − ρ r(λ), which decides the active set (and is the step of gimssn and apgd), in
+        /// units of 1/σmax. gimssn needs a value below 2, apgd at most 1.
         rho: f64 = 1.0, Range::open(0.0, 1e6);
         /// imssn, gimssn: largest residual of the inner system, relative to the reduced gradient
         /// and, as that falls, falling with it.
@@ -92,7 +92,6 @@ impl Settings {
         self.check_ranges()?;
         let largest = match self.method {
             Method::Gimssn if self.rho >= 2.0 => "below 2 for gimssn, which would not descend otherwise",
-            Method::Grssn if self.rho > 1.0 => "at most 1 for grssn",
             Method::Apgd if self.rho > 1.0 => "at most 1 for apgd",
             _ => return Ok(()),
         };
