@@ -50,6 +50,10 @@ impl ActiveSet {
 
     /// Number of blocks whose state differs from that in `other`.
     pub fn changes(&self, other: &ActiveSet) -> usize {
-        self.states.iter().zip(&other.states).filter(|(a, b)| a != b).count()
+        self.states
+            .iter()
+            .zip(&other.states)
+            .filter(|(a, b)| a != b)
+            .count()
     }
 }

@@ -70,16 +70,22 @@ pub enum QcqpError {
         allowed: String,
     },
     /// The operator is the zero matrix.
-    #[error("the dual operator maps a random vector to zero: no constraint row touches an elastic body")]
+    #[error(
+        "the dual operator maps a random vector to zero: no constraint row touches an elastic body"
+    )]
     ZeroOperator,
     /// The operator is not symmetric.
-    #[error("the dual operator is not symmetric: relative asymmetry {asymmetry:.1e} in its products")]
+    #[error(
+        "the dual operator is not symmetric: relative asymmetry {asymmetry:.1e} in its products"
+    )]
     NotSymmetric {
         /// max |xᵀAy − yᵀAx| over the products seen, relative to σmax.
         asymmetry: f64,
     },
     /// The operator has a negative eigenvalue.
-    #[error("the dual operator is not positive semidefinite: xᵀAx = {curvature:.3e} σmax for a unit vector x")]
+    #[error(
+        "the dual operator is not positive semidefinite: xᵀAx = {curvature:.3e} σmax for a unit vector x"
+    )]
     NotPositive {
         /// The negative Rayleigh quotient relative to σmax.
         curvature: f64,
@@ -102,10 +108,18 @@ pub(crate) fn check_vector(
 ) -> Result<(), QcqpError> {
     if values.len() != expected {
         let found = values.len();
-        return Err(QcqpError::Dimension { what, expected, found });
+        return Err(QcqpError::Dimension {
+            what,
+            expected,
+            found,
+        });
     }
     match values.iter().position(|v| !v.is_finite()) {
-        Some(index) => Err(QcqpError::NotFinite { what, index, value: values[index] }),
+        Some(index) => Err(QcqpError::NotFinite {
+            what,
+            index,
+            value: values[index],
+        }),
         None => Ok(()),
     }
 }

@@ -28,9 +28,17 @@ impl DualProblem {
         check_vector("the right-hand side b", &rhs, dim)?;
         if set.dimension() != dim {
             let (expected, found) = (dim, set.dimension());
-            return Err(QcqpError::Dimension { what: "the feasible set", expected, found });
+            return Err(QcqpError::Dimension {
+                what: "the feasible set",
+                expected,
+                found,
+            });
         }
-        Ok(Self { operator: Box::new(operator), rhs, set })
+        Ok(Self {
+            operator: Box::new(operator),
+            rhs,
+            set,
+        })
     }
 
     /// Number of unknowns.

@@ -15,8 +15,8 @@
 
 use crate::sets::{BlockSet, BlockState, ProductSet};
 use crate::{ActiveSet, DualOperator};
-use faer::{Mat, MatRef};
-use tresca_la::LinearOperator;
+use faer::Mat;
+use tresca_la::{LinearOperator, PackedLower};
 
 /// The direction in which a slipping pair may move.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,10 @@ impl ReducedSpace {
     pub fn free(set: &ProductSet, active: &ActiveSet) -> Self {
         let free = set.blocks().iter().zip(active.states());
         let free = free.filter(|(_, state)| **state == BlockState::Free);
-        Self { units: free.flat_map(|(block, _)| block.range()).collect(), tangents: Vec::new() }
+        Self {
+            units: free.flat_map(|(block, _)| block.range()).collect(),
+            tangents: Vec::new(),
+        }
     }
 
     /// The unknowns of the free blocks, and for each slipping disc with g > 0 the tangent of its
@@ -54,7 +57,9 @@ impl ReducedSpace {
     ) -> Self {
         let mut space = Self::free(set, active);
         for (block, state) in set.blocks().iter().zip(active.states()) {
-            let BlockSet::Disc(disc) = block.set else { continue };
+            let BlockSet::Disc(disc) = block.set else {
+                continue;
+            };
             if *state == BlockState::Free || disc.bound == 0.0 {
                 continue;
             }
@@ -62,16 +67,13 @@ impl ReducedSpace {
             let norm = normal[start].hypot(normal[start + 1]);
             let t = [-normal[start + 1] / norm, normal[start] / norm];
             let curvature = curvature(start, disc.bound);
-            space.tangents.push(Tangent { start, t, curvature });
+            space.tangents.push(Tangent {
+                start,
+                t,
+                curvature,
+            });
         }
         space
-    }
-
-    /// The exact reduction of the SSN system at y = λ − ρ r(λ).
-    pub fn newton(set: &ProductSet, active: &ActiveSet, y: &[f64], rho: f64) -> Self {
-        Self::with_tangents(set, active, y, |i, bound| {
-            (y[i].hypot(y[i + 1]) / bound - 1.0) / rho
-        })
     }
 
     /// Number of columns of Z.
@@ -103,14 +105,19 @@ impl ReducedSpace {
         }
     }
 
-    /// The diagonal of Zᵀ diag(d) Z + C.
-    pub fn diagonal(&self, d: &[f64]) -> Vec<f64> {
-        let units = self.units.iter().map(|&i| d[i]);
-        let tangents = self.tangents.iter().map(|tangent| {
-            let [t0, t1] = tangent.t;
-            d[tangent.start] * t0 * t0 + d[tangent.start + 1] * t1 * t1 + tangent.curvature
+    /// The columns of Z in order, with the diagonal of C.
+    pub fn columns(&self) -> impl Iterator<Item = Column> {
+        let units = self.units.iter().map(|&i| Column {
+            rows: [i, i],
+            weights: [1.0, 0.0],
+            curvature: 0.0,
         });
-        units.chain(tangents).collect()
+        let tangents = self.tangents.iter().map(|tangent| Column {
+            rows: [tangent.start, tangent.start + 1],
+            weights: tangent.t,
+            curvature: tangent.curvature,
+        });
+        units.chain(tangents)
     }
 
     /// out ← out + C s.
@@ -122,27 +129,47 @@ impl ReducedSpace {
     }
 
     /// ZᵀAZ + C as a dense matrix, lower triangle only.
-    pub fn assemble(&self, a: MatRef<'_, f64>) -> Mat<f64> {
-        let unit = |i: usize| ([i, i], [1.0, 0.0]);
-        let columns: Vec<_> = (self.units.iter().map(|&i| unit(i)))
-            .chain(self.tangents.iter().map(|t| ([t.start, t.start + 1], t.t)))
-            .collect();
-        let mut matrix = Mat::zeros(columns.len(), columns.len());
-        for (j, (cj, tj)) in columns.iter().enumerate() {
-            for (i, (ci, ti)) in columns.iter().enumerate().skip(j) {
-                let mut sum = 0.0;
-                for (&c, &t) in cj.iter().zip(tj).filter(|(_, t)| **t != 0.0) {
-                    sum += t * (ti[0] * a[(ci[0], c)] + ti[1] * a[(ci[1], c)]);
-                }
-                matrix[(i, j)] = sum;
-            }
-        }
-        for (k, tangent) in self.tangents.iter().enumerate() {
-            let k = self.units.len() + k;
-            matrix[(k, k)] += tangent.curvature;
-        }
-        matrix
+    pub fn assemble(&self, a: &PackedLower) -> Mat<f64> {
+        let columns: Vec<Column> = self.columns().collect();
+        galerkin(&columns, |i, j| a.get(i.max(j), i.min(j)))
     }
+}
+
+/// A column of Z: at most two entries. A unit vector has the weights (1, 0).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Column {
+    pub rows: [usize; 2],
+    pub weights: [f64; 2],
+    /// Its diagonal entry of C.
+    pub curvature: f64,
+}
+
+/// ZᵀMZ + C for some columns of Z and the entries of M, lower triangle only.
+pub(crate) fn galerkin(columns: &[Column], entry: impl Fn(usize, usize) -> f64) -> Mat<f64> {
+    let mut matrix = Mat::zeros(columns.len(), columns.len());
+    for (j, right) in columns.iter().enumerate() {
+        for (i, left) in columns.iter().enumerate().skip(j) {
+            let mut sum = 0.0;
+            for (&row, &w) in left
+                .rows
+                .iter()
+                .zip(&left.weights)
+                .filter(|(_, w)| **w != 0.0)
+            {
+                for (&column, &v) in right
+                    .rows
+                    .iter()
+                    .zip(&right.weights)
+                    .filter(|(_, v)| **v != 0.0)
+                {
+                    sum += w * entry(row, column) * v;
+                }
+            }
+            matrix[(i, j)] = sum;
+        }
+        matrix[(j, j)] += right.curvature;
+    }
+    matrix
 }
 
 /// s ↦ (ZᵀAZ + C) s, which keeps Z s and A Z s of the last product.
@@ -158,7 +185,12 @@ pub(crate) struct ReducedOperator<'a> {
 impl<'a> ReducedOperator<'a> {
     pub fn new(operator: &'a mut dyn DualOperator, space: &'a ReducedSpace) -> Self {
         let n = operator.dim();
-        Self { operator, space, expanded: vec![0.0; n], product: vec![0.0; n] }
+        Self {
+            operator,
+            space,
+            expanded: vec![0.0; n],
+            product: vec![0.0; n],
+        }
     }
 }
 

@@ -35,7 +35,9 @@ pub fn solve(
     }
 
     let spectrum = spectrum::estimate(operator)?;
-    let mut run = Run::new(operator, rhs, set, settings, &spectrum, n_a_before, observer);
+    let mut run = Run::new(
+        operator, rhs, set, settings, &spectrum, n_a_before, observer,
+    );
     let status = methods::run(&mut run, &spectrum, start);
     Ok(run.into_solution(status))
 }

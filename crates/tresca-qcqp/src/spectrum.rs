@@ -31,8 +31,15 @@ pub(crate) fn estimate(operator: &mut dyn DualOperator) -> Result<Spectrum, Qcqp
             return Err(QcqpError::OperatorNotFinite { index, value });
         }
     }
-    let lanczos::Estimate { ref basis, ref products, .. } = estimate;
-    let size = products.iter().map(|w| dot(w, w).sqrt()).fold(0.0, f64::max);
+    let lanczos::Estimate {
+        ref basis,
+        ref products,
+        ..
+    } = estimate;
+    let size = products
+        .iter()
+        .map(|w| dot(w, w).sqrt())
+        .fold(0.0, f64::max);
     if size == 0.0 {
         return Err(QcqpError::ZeroOperator);
     }

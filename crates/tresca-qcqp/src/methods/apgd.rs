@@ -42,7 +42,10 @@ fn moves_uphill(z: &Point, next: &Point, x: &Point) -> bool {
 
 fn extrapolate(next: &Point, x: &Point, beta: f64) -> Point {
     let beyond = |next: &[f64], x: &[f64]| {
-        next.iter().zip(x).map(|(n, x)| n + beta * (n - x)).collect::<Vec<_>>()
+        next.iter()
+            .zip(x)
+            .map(|(n, x)| n + beta * (n - x))
+            .collect::<Vec<_>>()
     };
     Point {
         lambda: beyond(&next.lambda, &x.lambda),

@@ -29,10 +29,21 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         let tolerance = precision.next(run);
         let set = run.set;
         let stays_inside = |x: &Point, step: &Move| {
-            let trial = x.lambda.iter().zip(step.direction).map(|(l, d)| l + step.alpha * d);
+            let trial = x
+                .lambda
+                .iter()
+                .zip(step.direction)
+                .map(|(l, d)| l + step.alpha * d);
             set.contains(&trial.collect::<Vec<_>>())
         };
         let identity = &mut Identity(space.dim());
-        step = Step::full(conjugate_gradients(run, &space, identity, &mut x, tolerance, stays_inside));
+        step = Step::full(conjugate_gradients(
+            run,
+            &space,
+            identity,
+            &mut x,
+            tolerance,
+            stays_inside,
+        ));
     }
 }

@@ -16,7 +16,10 @@ pub(super) struct AdaptivePrecision {
 
 impl AdaptivePrecision {
     pub fn new(settings: &Settings) -> Self {
-        Self { tolerance: settings.r_tol / settings.c_fact, first: None }
+        Self {
+            tolerance: settings.r_tol / settings.c_fact,
+            first: None,
+        }
     }
 
     /// The next tolerance, absolute, after the last judged iterate.
@@ -46,6 +49,13 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         x = run.point_unless(fixed, &x);
         let tolerance = precision.next(run);
         let identity = &mut Identity(space.dim());
-        step = Step::full(conjugate_gradients(run, &space, identity, &mut x, tolerance, |_, _| true));
+        step = Step::full(conjugate_gradients(
+            run,
+            &space,
+            identity,
+            &mut x,
+            tolerance,
+            |_, _| true,
+        ));
     }
 }

@@ -3,8 +3,8 @@
 use super::{Point, Run};
 use crate::reduced::{ReducedOperator, ReducedSpace};
 use crate::settings::InnerSolver;
-use faer::Side;
 use faer::linalg::solvers::{Llt, Solve};
+use faer::{ColMut, Side};
 use tresca_la::LinearOperator;
 use tresca_la::krylov::cg::{ConjugateGradient, Proposal};
 use tresca_la::vector::norm;
@@ -41,12 +41,20 @@ pub(super) fn conjugate_gradients<M: LinearOperator>(
     let mut s = vec![0.0; space.dim()];
     let mut cg = ConjugateGradient::with_capacity(space.dim());
     cg.start(&residual(space, x));
+    // In exact arithmetic one per unknown suffices; rounding may ask for a few times that.
+    let limit = run.settings.max_inner_iterations.min(10 * space.dim());
     let mut iterations = 0;
-    while cg.residual_norm() > tolerance && iterations < run.settings.max_inner_iterations {
+    while cg.residual_norm() > tolerance && iterations < limit {
         // Not positive: a null direction of a semidefinite A, or rounding. What is reached stands.
-        let Proposal::Step { alpha, .. } = cg.propose(&mut system, preconditioner) else { break };
+        let Proposal::Step { alpha, .. } = cg.propose(&mut system, preconditioner) else {
+            break;
+        };
         iterations += 1;
-        let step = Move { alpha, direction: &system.expanded, product: &system.product };
+        let step = Move {
+            alpha,
+            direction: &system.expanded,
+            product: &system.product,
+        };
         if !admit(x, &step) {
             break;
         }
@@ -63,12 +71,14 @@ pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool
     if run.settings.inner_solver == InnerSolver::Iterative || space.dim() == 0 {
         return false;
     }
-    let Some(matrix) = run.operator.explicit() else { return false };
-    let Ok(factor) = Llt::new(space.assemble(matrix).as_ref(), Side::Lower) else { return false };
-    let mut s = faer::Col::from_fn(space.dim(), |_| 0.0);
-    s.as_mut().try_as_col_major_mut().map(|s| s.as_slice_mut().copy_from_slice(&residual(space, x)));
-    factor.solve_in_place(s.as_mut());
-    let s: Vec<f64> = s.iter().copied().collect();
+    let Some(matrix) = run.operator.explicit() else {
+        return false;
+    };
+    let Ok(factor) = Llt::new(space.assemble(matrix).as_ref(), Side::Lower) else {
+        return false;
+    };
+    let mut s = residual(space, x);
+    factor.solve_in_place(ColMut::from_slice_mut(&mut s));
     if !norm(&s).is_finite() {
         return false;
     }
@@ -82,7 +92,10 @@ pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool
 
 /// The residual that "solved to full accuracy" means for ssn and mssn.
 pub(super) fn full_accuracy(run: &Run) -> f64 {
-    let relative = run.settings.inner_tolerance.min(0.1 * run.settings.tolerance);
+    let relative = run
+        .settings
+        .inner_tolerance
+        .min(0.1 * run.settings.tolerance);
     // Below this the product with A is rounding.
     let floor = 4.0 * f64::EPSILON * norm(run.rhs);
     (relative * run.reference).max(floor)

@@ -9,6 +9,7 @@ mod grssn;
 mod imssn;
 mod inner;
 mod mssn;
+mod preconditioner;
 mod recycle;
 mod run;
 mod ssn;

@@ -31,7 +31,14 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         } else {
             let tolerance = full_accuracy(run);
             let identity = &mut Identity(space.dim());
-            Step::full(conjugate_gradients(run, &space, identity, &mut x, tolerance, |_, _| true))
+            Step::full(conjugate_gradients(
+                run,
+                &space,
+                identity,
+                &mut x,
+                tolerance,
+                |_, _| true,
+            ))
         };
     }
 }

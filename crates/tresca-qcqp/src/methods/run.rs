@@ -41,11 +41,17 @@ pub(crate) struct Step {
 
 impl Step {
     /// The step that leads to the start: none.
-    pub const START: Step = Step { inner_iterations: 0, length: 0.0 };
+    pub const START: Step = Step {
+        inner_iterations: 0,
+        length: 0.0,
+    };
 
     /// A full step after so many inner iterations.
     pub fn full(inner_iterations: usize) -> Self {
-        Self { inner_iterations, length: 1.0 }
+        Self {
+            inner_iterations,
+            length: 1.0,
+        }
     }
 }
 
@@ -135,7 +141,11 @@ impl<'a> Run<'a> {
 
     /// The point at λ, where `known` may be that very point.
     pub fn point_unless(&mut self, lambda: Vec<f64>, known: &Point) -> Point {
-        if lambda == known.lambda { known.clone() } else { self.point(lambda) }
+        if lambda == known.lambda {
+            known.clone()
+        } else {
+            self.point(lambda)
+        }
     }
 
     /// P_Λ of the point.
@@ -151,7 +161,12 @@ impl<'a> Run<'a> {
     }
 
     /// λ with the bound blocks replaced by their projection: 0 where open, the bound where slipping.
-    pub fn with_bound_blocks_fixed(&self, lambda: &[f64], active: &ActiveSet, y: &[f64]) -> Vec<f64> {
+    pub fn with_bound_blocks_fixed(
+        &self,
+        lambda: &[f64],
+        active: &ActiveSet,
+        y: &[f64],
+    ) -> Vec<f64> {
         let mut x = lambda.to_vec();
         for (block, state) in self.set.blocks().iter().zip(active.states()) {
             if *state == BlockState::Bound {
@@ -174,7 +189,12 @@ impl<'a> Run<'a> {
             return Some(Status::Diverged);
         }
         self.relative = relative;
-        let judged = Judged { point: point.clone(), active, relative, objective };
+        let judged = Judged {
+            point: point.clone(),
+            active,
+            relative,
+            objective,
+        };
         let record = self.record(&judged, step);
         self.note_progress(&judged, record.iteration);
         let stop = self.observer.iteration(&record).is_break();
@@ -217,7 +237,11 @@ impl<'a> Run<'a> {
             self.lowest_objective = judged.objective;
             self.last_progress = iteration;
         }
-        if self.best.as_ref().is_none_or(|best| judged.relative < best.relative) {
+        if self
+            .best
+            .as_ref()
+            .is_none_or(|best| judged.relative < best.relative)
+        {
             self.best = Some(judged.clone());
             self.last_progress = iteration;
         }
@@ -225,7 +249,11 @@ impl<'a> Run<'a> {
 
     /// The outcome; the best point unless the last one has converged.
     pub fn into_solution(self, status: Status) -> Solution {
-        let chosen = if status.is_converged() { self.last } else { self.best };
+        let chosen = if status.is_converged() {
+            self.last
+        } else {
+            self.best
+        };
         // A start that is not finite was refused, so there is none only if the first product overflowed.
         let chosen = chosen.unwrap_or_else(|| zero_point(self.rhs, self.set, 1.0));
         Solution {
@@ -268,7 +296,12 @@ fn zero_point(rhs: &[f64], set: &ProductSet, relative: f64) -> Judged {
     let lambda = vec![0.0; rhs.len()];
     let gradient = rhs.iter().map(|b| -b).collect();
     // y = ρ b: every ρ > 0 gives the same states.
-    Judged { active: set.classify(rhs), point: Point { lambda, gradient }, relative, objective: 0.0 }
+    Judged {
+        active: set.classify(rhs),
+        point: Point { lambda, gradient },
+        relative,
+        objective: 0.0,
+    }
 }
 
 /// Iterations without progress after which a method is said to stagnate. The
@@ -283,7 +316,12 @@ fn patience(method: Method) -> usize {
 
 /// λ − ρ r(λ).
 pub(crate) fn gradient_step(point: &Point, rho: f64) -> Vec<f64> {
-    point.lambda.iter().zip(&point.gradient).map(|(l, r)| l - rho * r).collect()
+    point
+        .lambda
+        .iter()
+        .zip(&point.gradient)
+        .map(|(l, r)| l - rho * r)
+        .collect()
 }
 
 /// ‖λ − P_Λ(y)‖.
@@ -295,7 +333,11 @@ fn projected_distance(set: &ProductSet, lambda: &[f64], mut y: Vec<f64>) -> f64 
 
 /// ‖r̃_ρ(λ)‖ = ‖λ − P_Λ(λ − ρ r)‖/ρ.
 fn reduced_gradient_norm(set: &ProductSet, lambda: &[f64], gradient: &[f64], rho: f64) -> f64 {
-    let y = lambda.iter().zip(gradient).map(|(l, r)| l - rho * r).collect();
+    let y = lambda
+        .iter()
+        .zip(gradient)
+        .map(|(l, r)| l - rho * r)
+        .collect();
     projected_distance(set, lambda, y) / rho
 }
 

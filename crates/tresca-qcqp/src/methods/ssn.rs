@@ -72,7 +72,13 @@ fn newton_direction(
     let limit = run.settings.max_inner_iterations;
     let (rho, set) = (run.rho, run.set);
     let slanted = vec![0.0; y.len()];
-    let mut system = NewtonOperator { operator: &mut *run.operator, set, y, rho, slanted };
+    let mut system = NewtonOperator {
+        operator: &mut *run.operator,
+        set,
+        y,
+        rho,
+        slanted,
+    };
     // Bound rows read δ = rhs: started from there they stay solved, and BiCGSTAB works on the rest.
     let mut delta = rhs.to_vec();
     let mut iterations = 0;

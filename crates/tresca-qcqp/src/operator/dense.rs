@@ -1,51 +1,40 @@
 //! A as a dense matrix.
 
-use super::DualOperator;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, ColMut, ColRef, Mat, MatRef, Par};
+use super::{DualOperator, LocalModel};
+use tresca_la::PackedLower;
 
-/// A explicit symmetric matrix.
+/// An explicit symmetric matrix A; one multiplication reads its triangle once.
+#[derive(Clone, Debug)]
 pub struct Dense {
-    matrix: Mat<f64>,
+    matrix: PackedLower,
     count: usize,
 }
 
 impl Dense {
-    /// From the matrix, both triangles filled.
-    ///
-    /// # Panics
-    /// When the matrix is not square.
-    pub fn new(matrix: Mat<f64>) -> Self {
-        assert_eq!(matrix.nrows(), matrix.ncols(), "A is square");
+    /// From the lower triangle of A.
+    pub fn new(matrix: PackedLower) -> Self {
         Self { matrix, count: 0 }
     }
 }
 
 impl DualOperator for Dense {
     fn dim(&self) -> usize {
-        self.matrix.nrows()
+        self.matrix.order()
     }
 
     fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        matmul(
-            ColMut::from_slice_mut(y),
-            Accum::Replace,
-            self.matrix.as_ref(),
-            ColRef::from_slice(x),
-            1.0,
-            Par::Seq,
-        );
+        self.matrix.symmetric_mul(x, y);
     }
 
     fn counter(&mut self) -> &mut usize {
         &mut self.count
     }
 
-    fn diagonal_estimate(&self) -> Vec<f64> {
-        (0..self.dim()).map(|i| self.matrix[(i, i)]).collect()
+    fn local_model(&self) -> LocalModel {
+        LocalModel::Diagonal((0..self.dim()).map(|i| self.matrix.get(i, i)).collect())
     }
 
-    fn explicit(&self) -> Option<MatRef<'_, f64>> {
-        Some(self.matrix.as_ref())
+    fn explicit(&self) -> Option<&PackedLower> {
+        Some(&self.matrix)
     }
 }

@@ -90,11 +90,17 @@ impl ProductSet {
                 check_bound(number, value)?;
             }
             let claimed = claims.get_mut(block.range());
-            let claimed = claimed.ok_or(QcqpError::BlockRange { block: number, dimension })?;
+            let claimed = claimed.ok_or(QcqpError::BlockRange {
+                block: number,
+                dimension,
+            })?;
             claimed.iter_mut().for_each(|n| *n += 1);
         }
         match claims.iter().position(|&n| n != 1) {
-            Some(index) => Err(QcqpError::Cover { index, found: claims[index] }),
+            Some(index) => Err(QcqpError::Cover {
+                index,
+                found: claims[index],
+            }),
             None => Ok(Self { dimension, blocks }),
         }
     }
@@ -106,7 +112,10 @@ impl ProductSet {
     /// When a bound is negative or not finite.
     pub fn contact_3d(bounds: &[f64]) -> Result<Self, QcqpError> {
         let m = bounds.len();
-        let normals = (0..m).map(|start| Block { start, set: BlockSet::HalfLine(HalfLine) });
+        let normals = (0..m).map(|start| Block {
+            start,
+            set: BlockSet::HalfLine(HalfLine),
+        });
         let tangents = bounds.iter().enumerate().map(|(i, &bound)| Block {
             start: m + 2 * i,
             set: BlockSet::Disc(Disc { bound }),
@@ -120,7 +129,10 @@ impl ProductSet {
     /// When a bound is negative or not finite.
     pub fn contact_2d(bounds: &[f64]) -> Result<Self, QcqpError> {
         let m = bounds.len();
-        let normals = (0..m).map(|start| Block { start, set: BlockSet::HalfLine(HalfLine) });
+        let normals = (0..m).map(|start| Block {
+            start,
+            set: BlockSet::HalfLine(HalfLine),
+        });
         let tangents = bounds.iter().enumerate().map(|(i, &bound)| Block {
             start: m + i,
             set: BlockSet::Interval(Interval { bound }),
@@ -147,12 +159,17 @@ impl ProductSet {
 
     /// Whether x ∈ Λ, up to the rounding of [`project`](Self::project).
     pub fn contains(&self, x: &[f64]) -> bool {
-        self.blocks.iter().all(|block| block.set.contains(&x[block.range()]))
+        self.blocks
+            .iter()
+            .all(|block| block.set.contains(&x[block.range()]))
     }
 
     /// The state of every block at y = λ − ρ r(λ).
     pub fn classify(&self, y: &[f64]) -> ActiveSet {
-        let states = self.blocks.iter().map(|block| block.set.classify(&y[block.range()]));
+        let states = self
+            .blocks
+            .iter()
+            .map(|block| block.set.classify(&y[block.range()]));
         ActiveSet::new(&self.blocks, states.collect())
     }
 

@@ -91,7 +91,9 @@ impl Settings {
     pub fn validate(&self) -> Result<(), QcqpError> {
         self.check_ranges()?;
         let largest = match self.method {
-            Method::Gimssn if self.rho >= 2.0 => "below 2 for gimssn, which would not descend otherwise",
+            Method::Gimssn if self.rho >= 2.0 => {
+                "below 2 for gimssn, which would not descend otherwise"
+            }
             Method::Apgd if self.rho > 1.0 => "at most 1 for apgd",
             _ => return Ok(()),
         };
@@ -116,18 +118,34 @@ mod tests {
             text += &format!("{} = {}\n", option.name, option.default);
         }
         // The list of options, written as a case file, is the default settings: no key is missing or misspelt.
-        assert_eq!(toml::from_str::<Settings>(&text).unwrap(), Settings::default());
+        assert_eq!(
+            toml::from_str::<Settings>(&text).unwrap(),
+            Settings::default()
+        );
         assert_eq!(toml::from_str::<Settings>("").unwrap(), Settings::default());
     }
 
     #[test]
     fn unknown_keys_and_words_are_refused() {
-        let error = toml::from_str::<Settings>("tolerence = 1e-8").unwrap_err().to_string();
-        assert!(error.contains("tolerence") && error.contains("tolerance"), "{error}");
-        let error = toml::from_str::<Settings>("method = \"newton\"").unwrap_err().to_string();
-        assert!(error.contains("newton") && error.contains("grssn"), "{error}");
+        let error = toml::from_str::<Settings>("tolerence = 1e-8")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("tolerence") && error.contains("tolerance"),
+            "{error}"
+        );
+        let error = toml::from_str::<Settings>("method = \"newton\"")
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.contains("newton") && error.contains("grssn"),
+            "{error}"
+        );
         let error = "newton".parse::<Method>().unwrap_err().to_string();
-        assert_eq!(error, "`newton` is no method: expected one of ssn, mssn, imssn, gimssn, grssn, apgd");
+        assert_eq!(
+            error,
+            "`newton` is no method: expected one of ssn, mssn, imssn, gimssn, grssn, apgd"
+        );
         for &method in Method::ALL {
             assert_eq!(method.name().parse::<Method>().unwrap(), method);
             assert!(!method.doc().is_empty());
@@ -138,15 +156,37 @@ mod tests {
     fn values_out_of_range_are_named() {
         let refused = |settings: Settings| settings.validate().unwrap_err().to_string();
         assert_eq!(
-            refused(Settings { tolerance: 0.0, ..Settings::default() }),
+            refused(Settings {
+                tolerance: 0.0,
+                ..Settings::default()
+            }),
             "setting `tolerance` is 0.0, allowed is a number, 0 < value < 1"
         );
-        assert!(refused(Settings { tolerance: f64::NAN, ..Settings::default() }).contains("NaN"));
         assert!(
-            refused(Settings { max_inner_iterations: 0, ..Settings::default() }).contains("≥ 1")
+            refused(Settings {
+                tolerance: f64::NAN,
+                ..Settings::default()
+            })
+            .contains("NaN")
         );
-        let settings = Settings { rho: 2.0, method: Method::Gimssn, ..Settings::default() };
+        assert!(
+            refused(Settings {
+                max_inner_iterations: 0,
+                ..Settings::default()
+            })
+            .contains("≥ 1")
+        );
+        let settings = Settings {
+            rho: 2.0,
+            method: Method::Gimssn,
+            ..Settings::default()
+        };
         assert!(refused(settings.clone()).contains("below 2"));
-        Settings { method: Method::Mssn, ..settings }.validate().unwrap();
+        Settings {
+            method: Method::Mssn,
+            ..settings
+        }
+        .validate()
+        .unwrap();
     }
 }

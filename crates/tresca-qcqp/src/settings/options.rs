@@ -33,17 +33,32 @@ impl Range {
 
     /// lower < x < upper.
     pub const fn open(lower: f64, upper: f64) -> Self {
-        Self { lower, lower_allowed: false, upper, upper_allowed: false }
+        Self {
+            lower,
+            lower_allowed: false,
+            upper,
+            upper_allowed: false,
+        }
     }
 
     /// lower ≤ x ≤ upper.
     pub const fn closed(lower: f64, upper: f64) -> Self {
-        Self { lower, lower_allowed: true, upper, upper_allowed: true }
+        Self {
+            lower,
+            lower_allowed: true,
+            upper,
+            upper_allowed: true,
+        }
     }
 
     /// x ≥ lower.
     pub const fn at_least(lower: f64) -> Self {
-        Self { lower, lower_allowed: true, upper: f64::INFINITY, upper_allowed: false }
+        Self {
+            lower,
+            lower_allowed: true,
+            upper: f64::INFINITY,
+            upper_allowed: false,
+        }
     }
 
     fn holds(&self, x: f64) -> bool {
@@ -79,7 +94,11 @@ impl OptionValue for f64 {
     fn show(&self) -> String {
         // The shortest of the two spellings: 0.03, but 1e-8.
         let (plain, scientific) = (format!("{self:?}"), format!("{self:e}"));
-        if scientific.len() < plain.len() { scientific } else { plain }
+        if scientific.len() < plain.len() {
+            scientific
+        } else {
+            plain
+        }
     }
     fn is_within(&self, range: &Range) -> bool {
         self.is_finite() && range.holds(*self)
