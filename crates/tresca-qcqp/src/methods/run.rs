@@ -108,7 +108,7 @@ impl<'a> Run<'a> {
             set,
             settings,
             sigma,
-            rho: settings.rho / sigma,
+            rho: settings.relative_rho() / sigma,
             reference: reduced_gradient_norm(set, &zero, &negative_rhs, 1.0 / sigma),
             relative: f64::INFINITY,
             observer,
@@ -158,6 +158,11 @@ impl<'a> Run<'a> {
     /// y = λ − ρ r(λ) with the method's ρ.
     pub fn y(&self, point: &Point) -> Vec<f64> {
         gradient_step(point, self.rho)
+    }
+
+    /// ‖r̃_ρ(λ)‖ with the method's own ρ, at a λ that need not be feasible.
+    pub fn reduced_gradient_norm(&self, point: &Point) -> f64 {
+        reduced_gradient_norm(self.set, &point.lambda, &point.gradient, self.rho)
     }
 
     /// λ with the bound blocks replaced by their projection: 0 where open, the bound where slipping.
