@@ -49,7 +49,7 @@ pub use operator::DualOperator;
 pub use problem::DualProblem;
 pub use record::IterationRecord;
 pub use sets::ProductSet;
-pub use settings::{Engine, InnerSolver, Method, OptionInfo, Rho, Settings};
+pub use settings::{Engine, InnerSolver, Method, OptionInfo, Settings};
 pub use solution::Solution;
 pub use solve::solve;
 pub use status::Status;

@@ -108,7 +108,7 @@ impl<'a> Run<'a> {
             set,
             settings,
             sigma,
-            rho: settings.relative_rho() / sigma,
+            rho: settings.rho / sigma,
             reference: reduced_gradient_norm(set, &zero, &negative_rhs, 1.0 / sigma),
             relative: f64::INFINITY,
             observer,

@@ -1,10 +1,8 @@
 //! Every option of the solver, declared once.
 
 mod options;
-mod rho;
 
 pub use options::OptionInfo;
-pub use rho::Rho;
 
 use crate::QcqpError;
 use options::{OptionValue, Range, settings, words};
@@ -62,9 +60,9 @@ settings! {
         /// Largest number of iterations.
         max_iterations: usize = 1000, Range::at_least(0.0);
         /// ρ in y = λ − ρ r(λ), which decides the active set and is the step of gimssn, grssn and apgd; in
-        /// units of 1/σmax. gimssn and grssn need a value below 2, apgd at most 1. "auto" is 5 for ssn, mssn and
-        /// imssn, which need fewer steps then, and 1 for the others.
-        rho: Rho = Rho::Auto, Range::open(0.0, 1e6);
+        /// units of 1/σmax. gimssn and grssn need a value below 2, apgd at most 1. With ssn, mssn and imssn
+        /// larger values (5) save steps on many problems, but may cycle.
+        rho: f64 = 1.0, Range::open(0.0, 1e6);
         /// imssn, gimssn: largest residual of the inner system, relative to the reduced gradient
         /// and, as that falls, falling with it.
         r_tol: f64 = 0.5, Range::open(0.0, 1.0);
@@ -94,7 +92,7 @@ impl Settings {
     /// [`QcqpError::Setting`], which names the option, its value and what is allowed.
     pub fn validate(&self) -> Result<(), QcqpError> {
         self.check_ranges()?;
-        let rho = self.relative_rho();
+        let rho = self.rho;
         let allowed = match self.method {
             Method::Gimssn | Method::Grssn if rho >= 2.0 => {
                 "below 2 for gimssn and grssn, which would not descend otherwise"
@@ -107,15 +105,6 @@ impl Settings {
             value: self.rho.show(),
             allowed: allowed.to_owned(),
         })
-    }
-
-    /// ρ in units of 1/σmax, "auto" resolved.
-    pub fn relative_rho(&self) -> f64 {
-        match (self.rho, self.method) {
-            (Rho::Times(rho), _) => rho,
-            (Rho::Auto, Method::Ssn | Method::Mssn | Method::Imssn) => 5.0,
-            (Rho::Auto, Method::Gimssn | Method::Grssn | Method::Apgd) => 1.0,
-        }
     }
 }
 
