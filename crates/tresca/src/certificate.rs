@@ -1,0 +1,273 @@
+//! The certificate: is this a solution? Computed from u and λ alone, afterwards, with the
+//! assembled K and the element forces, by a way that knows nothing of the solver's residuals.
+//!
+//! Every figure is dimensionless, and zero for an exact solution.
+
+use serde::Serialize;
+use tresca_la::vector::{dot, norm};
+
+use crate::assemble::{Assembled, BodySystem};
+use crate::coupling::{add_transposed_product, add_product};
+use crate::model::Model;
+
+/// How far a pair (u, λ) is from solving the contact problem (`method.md`, section 1).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Certificate {
+    /// ‖Ku + Bᵀλ − f‖ / ‖f‖ over the free dofs of all bodies.
+    pub equilibrium: f64,
+    /// Largest penetration max(Nu − d, 0), over the largest displacement component.
+    pub penetration: f64,
+    /// Largest adhesive normal force max(−λν, 0), over the largest normal force.
+    pub normal_force_sign: f64,
+    /// Σ |λν,i (Nu − d)_i| over the elastic energy ½uᵀKu.
+    pub complementarity: f64,
+    /// Largest excess of a friction force over its slip bound, over the largest slip bound.
+    pub cone_violation: f64,
+    /// Σ |g_i ‖(Tu)_i‖ − λτ,i·(Tu)_i| over the elastic energy: zero exactly when every pair
+    /// that slips does so along its friction force, at its bound.
+    pub slip_law: f64,
+    /// (primal energy − dual energy) over the elastic energy, with the primal energy
+    /// ½uᵀKu − fᵀu + Σ g_i‖(Tu)_i‖ and the dual energy −q(λ) − ½fᵀK⁻¹f.
+    pub duality_gap: f64,
+    /// Force and moment balance body by body.
+    pub bodies: Vec<BodyBalance>,
+}
+
+/// Loads, contact forces and support reactions of one body must cancel. The reactions
+/// come from the stresses of the elements at the supports.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BodyBalance {
+    /// Name of the body.
+    pub name: String,
+    /// ‖Σ forces‖ over the sum of their magnitudes.
+    pub force: f64,
+    /// ‖Σ moments‖ about the body's centre, over that sum times the body's diameter.
+    pub moment: f64,
+    /// Resultant of the loads.
+    pub load: [f64; 3],
+    /// Resultant of the contact forces.
+    pub contact: [f64; 3],
+    /// Resultant of the support reactions.
+    pub reaction: [f64; 3],
+}
+
+impl Certificate {
+    /// The worst of all figures.
+    pub fn worst(&self) -> f64 {
+        let balances = self.bodies.iter().flat_map(|body| [body.force, body.moment]);
+        self.items()
+            .into_iter()
+            .map(|(_, value)| value.abs())
+            .chain(balances)
+            .fold(0.0, f64::max)
+    }
+
+    /// The figures that concern the whole model, with their names.
+    pub fn items(&self) -> [(&'static str, f64); 7] {
+        [
+            ("equilibrium", self.equilibrium),
+            ("penetration", self.penetration),
+            ("normal force sign", self.normal_force_sign),
+            ("complementarity", self.complementarity),
+            ("cone violation", self.cone_violation),
+            ("slip law", self.slip_law),
+            ("duality gap", self.duality_gap),
+        ]
+    }
+}
+
+/// What is to be certified.
+pub struct Candidate<'a> {
+    /// λ = \[λν; λτ\], length 3m.
+    pub lambda: &'a [f64],
+    /// Displacement of each body over its full dofs.
+    pub displacements: &'a [Vec<f64>],
+    /// q(λ) as the solver reported it.
+    pub dual_objective: f64,
+    /// fᵀK⁻¹f: twice the energy of the bodies without contact.
+    pub load_energy: f64,
+}
+
+/// Certifies a candidate solution.
+pub fn certify(model: &Model, assembled: &Assembled, candidate: &Candidate<'_>) -> Certificate {
+    let lambda = candidate.lambda;
+    let m = assembled.pair_count();
+    let (normal, tangential) = lambda.split_at(m);
+
+    let mut residual_squared = 0.0;
+    let mut load_squared = 0.0;
+    let mut strain_work = 0.0; // uᵀKu
+    let mut load_work = 0.0; // fᵀu
+    let mut relative = vec![0.0; 3 * m]; // B u
+    for (system, full) in assembled.bodies.iter().zip(candidate.displacements) {
+        let u = system.dofs.restrict(full);
+        let f = system.free_load();
+        let mut forces = vec![0.0; u.len()];
+        system.stiffness.mul(&u, &mut forces);
+        strain_work += dot(&u, &forces);
+        load_work += dot(&u, &f);
+        add_transposed_product(system.coupling.as_ref(), lambda, &mut forces);
+        let difference: Vec<f64> = forces.iter().zip(&f).map(|(a, b)| a - b).collect();
+        residual_squared += dot(&difference, &difference);
+        load_squared += dot(&f, &f);
+        add_product(system.coupling.as_ref(), &u, &mut relative);
+    }
+    let elastic = scale(0.5 * strain_work);
+    let largest = |values: &[f64]| values.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    let largest_displacement = candidate
+        .displacements
+        .iter()
+        .map(|u| largest(u))
+        .fold(0.0, f64::max);
+
+    let mut penetration: f64 = 0.0;
+    let mut complementarity = 0.0;
+    let mut cone: f64 = 0.0;
+    let mut slip_law = 0.0;
+    let mut friction_work = 0.0;
+    let mut largest_bound: f64 = 0.0;
+    let (approach, slips) = relative.split_at(m);
+    for (i, pair) in assembled.pairs().enumerate() {
+        let overlap = approach[i] - pair.gap;
+        penetration = penetration.max(overlap);
+        complementarity += (normal[i] * overlap).abs();
+        let force = &tangential[2 * i..2 * i + 2];
+        let slip = &slips[2 * i..2 * i + 2];
+        let bound = pair.slip_bound;
+        cone = cone.max(norm(force) - bound);
+        slip_law += (bound * norm(slip) - dot(force, slip)).abs();
+        friction_work += bound * norm(slip);
+        largest_bound = largest_bound.max(bound);
+    }
+    let primal = 0.5 * strain_work - load_work + friction_work;
+    let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
+    let cone_scale = if largest_bound > 0.0 { largest_bound } else { largest(lambda) };
+    Certificate {
+        equilibrium: residual_squared.sqrt() / scale(load_squared.sqrt()),
+        penetration: penetration.max(0.0) / scale(largest_displacement),
+        normal_force_sign: normal.iter().fold(0.0, |a: f64, x| a.max(-x)) / scale(largest(normal)),
+        complementarity: complementarity / elastic,
+        cone_violation: cone.max(0.0) / scale(cone_scale),
+        slip_law: slip_law / elastic,
+        duality_gap: (primal - dual) / elastic,
+        bodies: model
+            .bodies()
+            .iter()
+            .enumerate()
+            .map(|(index, _)| balance(model, assembled, candidate, index))
+            .collect(),
+    }
+}
+
+/// A scale that a figure may be divided by: 1 for a problem in which nothing happens.
+fn scale(value: f64) -> f64 {
+    if value > 0.0 { value } else { 1.0 }
+}
+
+fn balance(
+    model: &Model,
+    assembled: &Assembled,
+    candidate: &Candidate<'_>,
+    index: usize,
+) -> BodyBalance {
+    let body = &model.bodies()[index];
+    let system: &BodySystem = &assembled.bodies[index];
+    let points = &body.mesh.points;
+    let contact = contact_forces(model, assembled, candidate.lambda, index);
+    let internal = tresca_fem::assembly::internal_forces(
+        &body.mesh,
+        &body.material,
+        &candidate.displacements[index],
+    );
+    // A held dof hands on what the elements, the load and the contact put on it.
+    let reaction: Vec<f64> = (0..internal.len())
+        .map(|dof| match system.dofs.free(dof) {
+            Some(_) => 0.0,
+            None => internal[dof] - system.load[dof] - contact[dof],
+        })
+        .collect();
+
+    let parts = [&system.load, &contact, &reaction];
+    let resultants = parts.map(|part| loads_resultant(points, part));
+    let total = |pick: fn(&Resultant) -> [f64; 3]| {
+        let sum: [f64; 3] =
+            std::array::from_fn(|k| resultants.iter().map(|part| pick(part)[k]).sum());
+        norm(&sum)
+    };
+    let magnitude = scale(resultants.iter().map(|part| part.magnitude).sum());
+    BodyBalance {
+        name: body.name.clone(),
+        force: total(|part| part.force) / magnitude,
+        moment: total(|part| part.moment) / (magnitude * body.mesh.bounding_box().diagonal()),
+        load: resultants[0].force,
+        contact: resultants[1].force,
+        reaction: resultants[2].force,
+    }
+}
+
+struct Resultant {
+    force: [f64; 3],
+    moment: [f64; 3],
+    /// Σ ‖nodal force‖.
+    magnitude: f64,
+}
+
+/// Resultant of nodal forces, moment about the mean of the points.
+fn loads_resultant(points: &[[f64; 3]], forces: &[f64]) -> Resultant {
+    let count = points.len() as f64;
+    let centre: [f64; 3] =
+        std::array::from_fn(|k| points.iter().map(|point| point[k]).sum::<f64>() / count);
+    let mut result = Resultant {
+        force: [0.0; 3],
+        moment: [0.0; 3],
+        magnitude: 0.0,
+    };
+    for (point, force) in points.iter().zip(forces.chunks_exact(3)) {
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
+        let moment = [
+            y * force[2] - z * force[1],
+            z * force[0] - x * force[2],
+            x * force[1] - y * force[0],
+        ];
+        for k in 0..3 {
+            result.force[k] += force[k];
+            result.moment[k] += moment[k];
+        }
+        result.magnitude += norm(force);
+    }
+    result
+}
+
+/// Contact forces on a body over its full dofs, from the pairs and their frames: the slave
+/// feels −(λν ν + λτ τ), the master the opposite.
+fn contact_forces(
+    model: &Model,
+    assembled: &Assembled,
+    lambda: &[f64],
+    body: usize,
+) -> Vec<f64> {
+    let m = assembled.pair_count();
+    let mut forces = vec![0.0; assembled.bodies[body].dofs.full_count()];
+    let mut first = 0;
+    for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
+        for (offset, pair) in data.pairs.iter().enumerate() {
+            let i = first + offset;
+            let force =
+                pair.frame
+                    .to_global([lambda[i], lambda[m + 2 * i], lambda[m + 2 * i + 1]]);
+            let sides = [
+                (contact.slave.body, pair.slave_node, -1.0),
+                (contact.master.body, pair.master_node, 1.0),
+            ];
+            for (owner, node, sign) in sides {
+                if owner == body {
+                    for k in 0..3 {
+                        forces[3 * node + k] += sign * force[k];
+                    }
+                }
+            }
+        }
+        first += data.pairs.len();
+    }
+    forces
+}
