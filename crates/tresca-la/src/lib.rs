@@ -4,9 +4,18 @@
 //! Storage and kernels are faer's; what lives here is what the contact problem
 //! needs on top of them.
 
+mod cholesky;
+pub mod krylov;
 mod operator;
+mod ordering;
+mod packed;
+mod parallelism;
 mod symmetric;
 pub mod vector;
 
+pub use cholesky::{FactorError, SparseCholesky, TrailingBlock};
 pub use operator::LinearOperator;
+pub use ordering::{Ordering, OrderingError};
+pub use packed::PackedLower;
+pub use parallelism::Parallelism;
 pub use symmetric::SymmetricMatrix;

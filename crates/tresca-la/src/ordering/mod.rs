@@ -1,0 +1,140 @@
+//! Fill-reducing orderings for the sparse Cholesky factorisation.
+//!
+//! Nested dissection by METIS, on the graph of *groups* of dofs that share
+//! their neighbours (the components at one node), followed by a postordering of
+//! the elimination tree, which changes no fill and gives the factorisation its
+//! largest supernodes.
+
+mod graph;
+mod metis;
+
+use crate::SymmetricMatrix;
+use graph::Graph;
+use thiserror::Error;
+
+/// Why no ordering was made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum OrderingError {
+    /// A trailing dof does not exist.
+    #[error("trailing dof {dof} is out of range: the matrix has order {order}")]
+    TrailingOutOfRange {
+        /// The dof as given.
+        dof: usize,
+        /// Order of the matrix.
+        order: usize,
+    },
+    /// A trailing dof is listed twice.
+    #[error("trailing dof {dof} is listed twice")]
+    TrailingRepeated {
+        /// The dof as given.
+        dof: usize,
+    },
+    /// METIS counts vertices and edges in 32 bits.
+    #[error(
+        "the matrix graph is too large for METIS ({entries} adjacency entries, at most {})",
+        i32::MAX
+    )]
+    TooLarge {
+        /// Adjacency entries (two per edge) of the compressed graph.
+        entries: usize,
+    },
+    /// METIS found no memory.
+    #[error("METIS ran out of memory while ordering {vertices} vertices")]
+    OutOfMemory {
+        /// Vertices of the compressed graph.
+        vertices: usize,
+    },
+    /// METIS refused; not expected for any input.
+    #[error("METIS failed with status {status}")]
+    Metis {
+        /// Return code of `METIS_NodeND`.
+        status: i32,
+    },
+}
+
+/// A symmetric permutation that keeps the Cholesky factor sparse.
+#[derive(Clone, Debug)]
+pub struct Ordering {
+    to_original: Vec<usize>,
+    from_original: Vec<usize>,
+    trailing: usize,
+}
+
+impl Ordering {
+    /// Nested dissection of the whole matrix.
+    ///
+    /// # Errors
+    /// [`OrderingError`]; none of them for matrices of ordinary size.
+    pub fn nested_dissection(matrix: &SymmetricMatrix) -> Result<Self, OrderingError> {
+        Self::nested_dissection_with_trailing(matrix, &[])
+    }
+
+    /// Nested dissection of all dofs but `trailing`, which come last, in the
+    /// order given. The last diagonal block of the factor is then the factor of
+    /// the Schur complement on these dofs.
+    ///
+    /// # Errors
+    /// [`OrderingError`]: a trailing dof out of range or listed twice.
+    pub fn nested_dissection_with_trailing(
+        matrix: &SymmetricMatrix,
+        trailing: &[usize],
+    ) -> Result<Self, OrderingError> {
+        let order = matrix.order();
+        let mut is_trailing = vec![false; order];
+        for &dof in trailing {
+            let seen = is_trailing
+                .get_mut(dof)
+                .ok_or(OrderingError::TrailingOutOfRange { dof, order })?;
+            if std::mem::replace(seen, true) {
+                return Err(OrderingError::TrailingRepeated { dof });
+            }
+        }
+        let graph = Graph::compressed(matrix, &is_trailing);
+        let groups = graph.dissect()?;
+        let mut to_original = Vec::with_capacity(order);
+        for group in graph.postordered(groups) {
+            to_original.extend(graph.dofs_of(group));
+        }
+        to_original.extend_from_slice(trailing);
+        Ok(Self::from_parts(to_original, trailing.len()))
+    }
+
+    /// No reordering: for matrices that are ordered well already, and for tests.
+    pub fn natural(order: usize) -> Self {
+        Self::from_parts((0..order).collect(), 0)
+    }
+
+    fn from_parts(to_original: Vec<usize>, trailing: usize) -> Self {
+        let mut from_original = vec![usize::MAX; to_original.len()];
+        for (new, &old) in to_original.iter().enumerate() {
+            from_original[old] = new;
+        }
+        debug_assert!(!from_original.contains(&usize::MAX));
+        Self {
+            to_original,
+            from_original,
+            trailing,
+        }
+    }
+
+    /// Number of dofs n.
+    pub fn order(&self) -> usize {
+        self.to_original.len()
+    }
+
+    /// Number of trailing dofs; 0 when none were asked for.
+    pub fn trailing(&self) -> usize {
+        self.trailing
+    }
+
+    /// Original number of the dof at each position of the new order.
+    pub fn to_original(&self) -> &[usize] {
+        &self.to_original
+    }
+
+    /// Position in the new order of each original dof.
+    pub fn from_original(&self) -> &[usize] {
+        &self.from_original
+    }
+}
