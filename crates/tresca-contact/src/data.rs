@@ -95,7 +95,7 @@ pub fn couple_node_by_node(
 }
 
 fn is_held(dofs: &DofMap, node: usize) -> bool {
-    (0..3).all(|component| dofs.free(3 * node + component).is_none())
+    (0..3).all(|component| dofs.free(node, component).is_none())
 }
 
 /// B of one side: row i is sign·ν_i at the pair's node, rows m + 2i and m + 2i + 1 the tangents.
@@ -118,7 +118,7 @@ fn coupling(
             if value == 0.0 {
                 continue;
             }
-            if let Some(column) = dofs.free(3 * node(pair) + component) {
+            if let Some(column) = dofs.free(node(pair), component) {
                 columns.push(column);
                 values.push(sign * value);
             }
@@ -126,6 +126,6 @@ fn coupling(
         row_ptr.push(columns.len());
     }
     let symbolic =
-        SymbolicSparseRowMat::new_checked(3 * pairs.len(), dofs.free_count(), row_ptr, None, columns);
+        SymbolicSparseRowMat::new_checked(3 * pairs.len(), dofs.free_len(), row_ptr, None, columns);
     SparseRowMat::new(symbolic, values)
 }

@@ -1,7 +1,8 @@
 //! The part of a body's boundary that may come into contact.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
+use tresca_fem::loads;
 use tresca_fem::mesh::{Face, Mesh};
 
 use crate::ContactError;
@@ -37,20 +38,13 @@ impl ContactSurface {
         if faces.is_empty() {
             return Err(ContactError::Empty);
         }
-        // ∫ φ_i n dΓ and ∫ φ_i dΓ, gathered node by node.
-        let mut moments: BTreeMap<usize, ([f64; 3], f64)> = BTreeMap::new();
-        for &face in faces {
-            for share in tresca_fem::loads::face_shares(mesh, face) {
-                let (vector, area) = moments.entry(share.node).or_default();
-                for (sum, part) in vector.iter_mut().zip(share.area_vector) {
-                    *sum += part;
-                }
-                *area += share.area;
-            }
-        }
-        let nodes = moments
+        let vectors = loads::nodal_area_vectors(mesh, faces);
+        let areas = loads::nodal_areas(mesh, faces);
+        let nodes: BTreeSet<usize> = faces.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+        let nodes = nodes
             .into_iter()
-            .map(|(node, (vector, area))| {
+            .map(|node| {
+                let (vector, area) = (vectors[node], areas[node]);
                 let point = mesh.points[node];
                 let length = dot(vector, vector).sqrt();
                 // A fold leaves rounding, or next to nothing, of the sum of the parts.

@@ -6,11 +6,12 @@ use faer::sparse::SparseRowMat;
 use rayon::prelude::*;
 use tresca_contact::{ContactData, Side, couple_node_by_node};
 use tresca_fem::dofs::DofMap;
-use tresca_fem::{assembly, loads};
+use tresca_fem::supports::Supports;
+use tresca_fem::{assembly, loads, rigid};
 use tresca_la::SymmetricMatrix;
 
 use crate::model::{Model, Surface};
-use crate::{ModelError, rigid};
+use crate::ModelError;
 
 /// One body as linear algebra.
 #[derive(Debug, Clone)]
@@ -56,7 +57,7 @@ impl Assembled {
 
     /// n, free and held dofs of all bodies.
     pub fn dof_count(&self) -> usize {
-        self.bodies.iter().map(|body| body.dofs.full_count()).sum()
+        self.bodies.iter().map(|body| body.dofs.full_len()).sum()
     }
 }
 
@@ -96,7 +97,7 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         })
         .collect::<Result<Vec<_>, _>>()?;
     let couplings: Vec<_> = (0..dof_maps.len())
-        .map(|body| body_coupling(model, &contacts, body, dof_maps[body].free_count()))
+        .map(|body| body_coupling(model, &contacts, body, dof_maps[body].free_len()))
         .collect();
 
     let bodies = dof_maps
@@ -110,14 +111,17 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
 
 fn dof_map(model: &Model, index: usize) -> Result<DofMap, ModelError> {
     let body = &model.bodies()[index];
-    let mut supports = tresca_fem::supports::Supports::new(&body.mesh);
+    let in_body = |source| ModelError::Body {
+        body: body.name.clone(),
+        source,
+    };
+    let mut supports = Supports::new(body.mesh.node_count(), body.mesh.dimension);
     for surface in model.clamps().iter().filter(|clamp| clamp.body == index) {
-        supports.clamp(model.faces(surface));
+        let nodes = body.mesh.nodes_of_faces(model.faces(surface));
+        supports.clamp(&nodes).map_err(in_body)?;
     }
     let dofs = DofMap::new(&supports);
-    let free = rigid::free_motions(&body.mesh.points, |node, component| {
-        dofs.free(3 * node + component).is_none()
-    });
+    let free = rigid::remaining(&body.mesh, &dofs);
     if free.is_empty() {
         return Ok(dofs);
     }
@@ -140,7 +144,7 @@ fn body_system(
             source,
         }
     })?;
-    let mut load = vec![0.0; dofs.full_count()];
+    let mut load = vec![0.0; dofs.full_len()];
     for traction in model.tractions() {
         for surface in traction.on.iter().filter(|surface| surface.body == index) {
             let part = loads::traction(&body.mesh, model.faces(surface), traction.value);

@@ -4,10 +4,14 @@
 //! Every figure is dimensionless, and zero for an exact solution.
 
 use serde::Serialize;
+use tresca_fem::FemError;
+use tresca_fem::assembly::internal_forces;
+use tresca_fem::loads::{Resultant, resultant};
 use tresca_la::vector::{dot, norm};
 
 use crate::assemble::{Assembled, BodySystem};
 use crate::coupling::{add_transposed_product, add_product};
+use crate::ModelError;
 use crate::model::Model;
 
 /// How far a pair (u, λ) is from solving the contact problem (`method.md`, section 1).
@@ -89,7 +93,14 @@ pub struct Candidate<'a> {
 }
 
 /// Certifies a candidate solution.
-pub fn certify(model: &Model, assembled: &Assembled, candidate: &Candidate<'_>) -> Certificate {
+///
+/// # Errors
+/// When an element is degenerate (never after a successful assembly).
+pub fn certify(
+    model: &Model,
+    assembled: &Assembled,
+    candidate: &Candidate<'_>,
+) -> Result<Certificate, ModelError> {
     let lambda = candidate.lambda;
     let m = assembled.pair_count();
     let (normal, tangential) = lambda.split_at(m);
@@ -142,7 +153,7 @@ pub fn certify(model: &Model, assembled: &Assembled, candidate: &Candidate<'_>) 
     let primal = 0.5 * strain_work - load_work + friction_work;
     let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
     let cone_scale = if largest_bound > 0.0 { largest_bound } else { largest(lambda) };
-    Certificate {
+    Ok(Certificate {
         equilibrium: residual_squared.sqrt() / scale(load_squared.sqrt()),
         penetration: penetration.max(0.0) / scale(largest_displacement),
         normal_force_sign: normal.iter().fold(0.0, |a: f64, x| a.max(-x)) / scale(largest(normal)),
@@ -154,9 +165,14 @@ pub fn certify(model: &Model, assembled: &Assembled, candidate: &Candidate<'_>) 
             .bodies()
             .iter()
             .enumerate()
-            .map(|(index, _)| balance(model, assembled, candidate, index))
-            .collect(),
-    }
+            .map(|(index, body)| {
+                balance(model, assembled, candidate, index).map_err(|source| ModelError::Body {
+                    body: body.name.clone(),
+                    source,
+                })
+            })
+            .collect::<Result<_, _>>()?,
+    })
 }
 
 /// A scale that a figure may be divided by: 1 for a problem in which nothing happens.
@@ -169,73 +185,35 @@ fn balance(
     assembled: &Assembled,
     candidate: &Candidate<'_>,
     index: usize,
-) -> BodyBalance {
+) -> Result<BodyBalance, FemError> {
     let body = &model.bodies()[index];
     let system: &BodySystem = &assembled.bodies[index];
-    let points = &body.mesh.points;
     let contact = contact_forces(model, assembled, candidate.lambda, index);
-    let internal = tresca_fem::assembly::internal_forces(
-        &body.mesh,
-        &body.material,
-        &candidate.displacements[index],
-    );
-    // A held dof hands on what the elements, the load and the contact put on it.
-    let reaction: Vec<f64> = (0..internal.len())
-        .map(|dof| match system.dofs.free(dof) {
-            Some(_) => 0.0,
-            None => internal[dof] - system.load[dof] - contact[dof],
-        })
-        .collect();
+    let internal = internal_forces(&body.mesh, &body.material, &candidate.displacements[index])?;
+    // A held dof hands on what the elements put on it, less the load and the contact there.
+    let mut reaction = vec![0.0; internal.len()];
+    for dof in system.dofs.prescribed() {
+        reaction[dof] = internal[dof] - system.load[dof] - contact[dof];
+    }
 
+    let bounds = body.mesh.bounding_box();
+    let centre = std::array::from_fn(|k| 0.5 * (bounds.min[k] + bounds.max[k]));
     let parts = [&system.load, &contact, &reaction];
-    let resultants = parts.map(|part| loads_resultant(points, part));
+    let resultants = parts.map(|part| resultant(&body.mesh, part, centre));
     let total = |pick: fn(&Resultant) -> [f64; 3]| {
         let sum: [f64; 3] =
             std::array::from_fn(|k| resultants.iter().map(|part| pick(part)[k]).sum());
         norm(&sum)
     };
-    let magnitude = scale(resultants.iter().map(|part| part.magnitude).sum());
-    BodyBalance {
+    let magnitude = scale(parts.iter().flat_map(|part| part.chunks_exact(3)).map(norm).sum());
+    Ok(BodyBalance {
         name: body.name.clone(),
         force: total(|part| part.force) / magnitude,
-        moment: total(|part| part.moment) / (magnitude * body.mesh.bounding_box().diagonal()),
+        moment: total(|part| part.moment) / (magnitude * bounds.diagonal()),
         load: resultants[0].force,
         contact: resultants[1].force,
         reaction: resultants[2].force,
-    }
-}
-
-struct Resultant {
-    force: [f64; 3],
-    moment: [f64; 3],
-    /// Σ ‖nodal force‖.
-    magnitude: f64,
-}
-
-/// Resultant of nodal forces, moment about the mean of the points.
-fn loads_resultant(points: &[[f64; 3]], forces: &[f64]) -> Resultant {
-    let count = points.len() as f64;
-    let centre: [f64; 3] =
-        std::array::from_fn(|k| points.iter().map(|point| point[k]).sum::<f64>() / count);
-    let mut result = Resultant {
-        force: [0.0; 3],
-        moment: [0.0; 3],
-        magnitude: 0.0,
-    };
-    for (point, force) in points.iter().zip(forces.chunks_exact(3)) {
-        let [x, y, z]: [f64; 3] = std::array::from_fn(|k| point[k] - centre[k]);
-        let moment = [
-            y * force[2] - z * force[1],
-            z * force[0] - x * force[2],
-            x * force[1] - y * force[0],
-        ];
-        for k in 0..3 {
-            result.force[k] += force[k];
-            result.moment[k] += moment[k];
-        }
-        result.magnitude += norm(force);
-    }
-    result
+    })
 }
 
 /// Contact forces on a body over its full dofs, from the pairs and their frames: the slave
@@ -247,7 +225,7 @@ fn contact_forces(
     body: usize,
 ) -> Vec<f64> {
     let m = assembled.pair_count();
-    let mut forces = vec![0.0; assembled.bodies[body].dofs.full_count()];
+    let mut forces = vec![0.0; assembled.bodies[body].dofs.full_len()];
     let mut first = 0;
     for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
         for (offset, pair) in data.pairs.iter().enumerate() {

@@ -41,7 +41,6 @@ pub mod model;
 mod outcome;
 pub mod output;
 pub mod progress;
-pub mod rigid;
 mod solve;
 mod summary;
 pub mod two_bricks;
@@ -56,7 +55,7 @@ pub use summary::Summary;
 pub use two_bricks::two_bricks;
 
 pub use tresca_contact::{Frame, FrictionLaw};
-pub use tresca_fem::{material, mesh};
+pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_qcqp::{Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status};
 
 /// Version of the library, written into every result file.

@@ -158,7 +158,7 @@ impl Prepared {
                 dual_objective: solution.objective,
                 load_energy,
             },
-        );
+        )?;
         let times = Times {
             solve,
             recovery: begin.elapsed().as_secs_f64(),
