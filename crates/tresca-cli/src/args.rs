@@ -119,7 +119,12 @@ fn option_help(name: &str) -> String {
     Settings::options()
         .iter()
         .find(|option| option.name == name)
-        .map(|option| format!("{} ({}) [default: {}]", option.doc, option.allowed, option.default))
+        .map(|option| {
+            format!(
+                "{} ({}) [default: {}]",
+                option.doc, option.allowed, option.default
+            )
+        })
         .unwrap_or_default()
 }
 
@@ -128,10 +133,10 @@ impl SolverArguments {
     pub fn over(&self, settings: &Settings) -> miette::Result<Settings> {
         let mut table = toml::Table::try_from(settings).into_diagnostic()?;
         for assignment in &self.set {
-            let addition: toml::Table = assignment
-                .parse()
-                .into_diagnostic()
-                .wrap_err_with(|| format!("cannot read `--set {assignment}`: expected key=value"))?;
+            let addition: toml::Table =
+                assignment.parse().into_diagnostic().wrap_err_with(|| {
+                    format!("cannot read `--set {assignment}`: expected key=value")
+                })?;
             table.extend(addition);
         }
         let mut settings: Settings = table

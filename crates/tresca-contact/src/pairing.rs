@@ -35,7 +35,7 @@ pub(crate) fn pair_node_by_node(
         .map(|node| {
             let tolerance = RELATIVE_TOLERANCE * node.area.sqrt();
             let (distance, partner) = tree
-                .nearest_neighbor_iter_with_distance_2(&node.point)
+                .nearest_neighbor_iter_with_distance_2(node.point)
                 .next()
                 .map_or((f64::INFINITY, 0), |(entry, squared)| {
                     (squared.sqrt(), entry.data)

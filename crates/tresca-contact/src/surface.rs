@@ -40,7 +40,10 @@ impl ContactSurface {
         }
         let vectors = loads::nodal_area_vectors(mesh, faces);
         let areas = loads::nodal_areas(mesh, faces);
-        let nodes: BTreeSet<usize> = faces.iter().flat_map(|&face| mesh.face_nodes(face)).collect();
+        let nodes: BTreeSet<usize> = faces
+            .iter()
+            .flat_map(|&face| mesh.face_nodes(face))
+            .collect();
         let nodes = nodes
             .into_iter()
             .map(|node| {

@@ -10,8 +10,8 @@ use tresca_fem::supports::Supports;
 use tresca_fem::{assembly, loads, rigid};
 use tresca_la::SymmetricMatrix;
 
-use crate::model::{Model, Surface};
 use crate::ModelError;
+use crate::model::{Model, Surface};
 
 /// One body as linear algebra.
 #[derive(Debug, Clone)]
@@ -47,7 +47,10 @@ pub struct Assembled {
 impl Assembled {
     /// m, the number of contact pairs.
     pub fn pair_count(&self) -> usize {
-        self.contacts.iter().map(|contact| contact.pairs.len()).sum()
+        self.contacts
+            .iter()
+            .map(|contact| contact.pairs.len())
+            .sum()
     }
 
     /// All pairs in the order of λν.
@@ -87,13 +90,17 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
                 faces: model.faces(surface),
                 dofs: &dof_maps[surface.body],
             };
-            couple_node_by_node(side(&contact.slave), side(&contact.master), contact.friction)
-                .map_err(|source| ModelError::Coupling {
-                    contact: index,
-                    slave: model.surface_name(&contact.slave),
-                    master: model.surface_name(&contact.master),
-                    source,
-                })
+            couple_node_by_node(
+                side(&contact.slave),
+                side(&contact.master),
+                contact.friction,
+            )
+            .map_err(|source| ModelError::Coupling {
+                contact: index,
+                slave: model.surface_name(&contact.slave),
+                master: model.surface_name(&contact.master),
+                source,
+            })
         })
         .collect::<Result<Vec<_>, _>>()?;
     let couplings: Vec<_> = (0..dof_maps.len())
@@ -172,7 +179,11 @@ fn body_coupling(
     for tangential in [false, true] {
         for (contact, data) in model.contacts().iter().zip(contacts) {
             let pairs = data.pairs.len();
-            let range = if tangential { pairs..3 * pairs } else { 0..pairs };
+            let range = if tangential {
+                pairs..3 * pairs
+            } else {
+                0..pairs
+            };
             let matrix = if contact.slave.body == body {
                 Some(&data.slave_coupling)
             } else if contact.master.body == body {

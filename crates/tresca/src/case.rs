@@ -77,8 +77,15 @@ fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
     let mut model = Model::new(&file.title);
     for body in &file.bodies {
         let at_mesh = |error: tresca_fem::FemError| {
-            let help = "a brick is given by its corners `min` < `max` and by 2 or more `nodes` per axis";
-            CaseError::semantic(&file.source, body.mesh.span(), error.to_string(), "this mesh", help)
+            let help =
+                "a brick is given by its corners `min` < `max` and by 2 or more `nodes` per axis";
+            CaseError::semantic(
+                &file.source,
+                body.mesh.span(),
+                error.to_string(),
+                "this mesh",
+                help,
+            )
         };
         let mesh = match body.mesh.get_ref() {
             Mesh::Brick(brick) => mesh::brick(&BrickSpec {
@@ -106,7 +113,10 @@ fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
     for surface in file.clamps.iter().flat_map(|clamp| &clamp.on) {
         let body = name(surface);
         model
-            .clamp(SurfaceRef { body: &body, faces: &surface.face })
+            .clamp(SurfaceRef {
+                body: &body,
+                faces: &surface.face,
+            })
             .map_err(|error| added(error, &surface.span))?;
     }
     for traction in &file.tractions {
@@ -114,7 +124,13 @@ fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
         for surface in &traction.on {
             let body = name(surface);
             model
-                .add_traction(&[SurfaceRef { body: &body, faces: &surface.face }], value)
+                .add_traction(
+                    &[SurfaceRef {
+                        body: &body,
+                        faces: &surface.face,
+                    }],
+                    value,
+                )
                 .map_err(|error| added(error, &surface.span))?;
         }
     }
@@ -127,8 +143,14 @@ fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
         };
         model
             .add_contact(
-                SurfaceRef { body: &slave, faces: &contact.slave.face },
-                SurfaceRef { body: &master, faces: &contact.master.face },
+                SurfaceRef {
+                    body: &slave,
+                    faces: &contact.slave.face,
+                },
+                SurfaceRef {
+                    body: &master,
+                    faces: &contact.master.face,
+                },
                 friction,
             )
             .map_err(|error| added(error, &contact.span))?;

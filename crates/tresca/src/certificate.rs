@@ -9,9 +9,9 @@ use tresca_fem::assembly::internal_forces;
 use tresca_fem::loads::{Resultant, resultant};
 use tresca_la::vector::{dot, norm};
 
-use crate::assemble::{Assembled, BodySystem};
-use crate::coupling::{add_transposed_product, add_product};
 use crate::ModelError;
+use crate::assemble::{Assembled, BodySystem};
+use crate::coupling::{add_product, add_transposed_product};
 use crate::model::Model;
 
 /// How far a pair (u, λ) is from solving the contact problem (`method.md`, section 1).
@@ -58,7 +58,10 @@ pub struct BodyBalance {
 impl Certificate {
     /// The worst of all figures.
     pub fn worst(&self) -> f64 {
-        let balances = self.bodies.iter().flat_map(|body| [body.force, body.moment]);
+        let balances = self
+            .bodies
+            .iter()
+            .flat_map(|body| [body.force, body.moment]);
         self.items()
             .into_iter()
             .map(|(_, value)| value.abs())
@@ -152,7 +155,11 @@ pub fn certify(
     }
     let primal = 0.5 * strain_work - load_work + friction_work;
     let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
-    let cone_scale = if largest_bound > 0.0 { largest_bound } else { largest(lambda) };
+    let cone_scale = if largest_bound > 0.0 {
+        largest_bound
+    } else {
+        largest(lambda)
+    };
     Ok(Certificate {
         equilibrium: residual_squared.sqrt() / scale(load_squared.sqrt()),
         penetration: penetration.max(0.0) / scale(largest_displacement),
@@ -205,7 +212,13 @@ fn balance(
             std::array::from_fn(|k| resultants.iter().map(|part| pick(part)[k]).sum());
         norm(&sum)
     };
-    let magnitude = scale(parts.iter().flat_map(|part| part.chunks_exact(3)).map(norm).sum());
+    let magnitude = scale(
+        parts
+            .iter()
+            .flat_map(|part| part.chunks_exact(3))
+            .map(norm)
+            .sum(),
+    );
     Ok(BodyBalance {
         name: body.name.clone(),
         force: total(|part| part.force) / magnitude,
@@ -218,21 +231,16 @@ fn balance(
 
 /// Contact forces on a body over its full dofs, from the pairs and their frames: the slave
 /// feels −(λν ν + λτ τ), the master the opposite.
-fn contact_forces(
-    model: &Model,
-    assembled: &Assembled,
-    lambda: &[f64],
-    body: usize,
-) -> Vec<f64> {
+fn contact_forces(model: &Model, assembled: &Assembled, lambda: &[f64], body: usize) -> Vec<f64> {
     let m = assembled.pair_count();
     let mut forces = vec![0.0; assembled.bodies[body].dofs.full_len()];
     let mut first = 0;
     for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
         for (offset, pair) in data.pairs.iter().enumerate() {
             let i = first + offset;
-            let force =
-                pair.frame
-                    .to_global([lambda[i], lambda[m + 2 * i], lambda[m + 2 * i + 1]]);
+            let force = pair
+                .frame
+                .to_global([lambda[i], lambda[m + 2 * i], lambda[m + 2 * i + 1]]);
             let sides = [
                 (contact.slave.body, pair.slave_node, -1.0),
                 (contact.master.body, pair.master_node, 1.0),

@@ -4,13 +4,15 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 use tresca_la::{Ordering, Parallelism, SparseCholesky};
-use tresca_qcqp::operator::{CondensedBody, CondensedOperator, DenseOperator, FactoredBody, FactoredOperator};
+use tresca_qcqp::operator::{
+    CondensedBody, CondensedOperator, DenseOperator, FactoredBody, FactoredOperator,
+};
 use tresca_qcqp::{DualOperator, DualProblem, Engine, ProductSet, Settings};
 
+use crate::ModelError;
 use crate::assemble::Assembled;
 use crate::coupling::{add_product, add_transposed_product};
 use crate::model::Model;
-use crate::ModelError;
 
 /// Up to this many dual unknowns the explicit A is formed by default: below it, inverting
 /// the trailing blocks and factoring active blocks of A costs less than the triangular solves of
@@ -120,7 +122,10 @@ pub fn factor(
         })
         .collect();
     let work = FactorWork {
-        nonzeros: factors.iter().map(|factor| factor.factor_nonzeros() as f64).sum(),
+        nonzeros: factors
+            .iter()
+            .map(|factor| factor.factor_nonzeros() as f64)
+            .sum(),
         flops: factors.iter().map(|factor| factor.flops()).sum(),
         seconds,
     };
@@ -157,7 +162,11 @@ pub fn dual_problem(
     for (b, pair) in rhs.iter_mut().zip(assembled.pairs()) {
         *b -= pair.gap;
     }
-    Ok(DualProblem::new(operator(assembled, factored, engine), rhs, set.build()?)?)
+    Ok(DualProblem::new(
+        operator(assembled, factored, engine),
+        rhs,
+        set.build()?,
+    )?)
 }
 
 /// u = K⁻¹(f − Bᵀλ) of each body, over its full dofs.

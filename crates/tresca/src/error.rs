@@ -22,7 +22,10 @@ pub enum ModelError {
         known: Vec<String>,
     },
     /// A surface that does not exist.
-    #[error("body `{body}` has no surface `{faces}`; its surfaces are {}", list(known))]
+    #[error(
+        "body `{body}` has no surface `{faces}`; its surfaces are {}",
+        list(known)
+    )]
     UnknownSurface {
         /// The body.
         body: String,

@@ -56,7 +56,9 @@ pub use two_bricks::two_bricks;
 
 pub use tresca_contact::{Frame, FrictionLaw};
 pub use tresca_fem::{material, mesh, rigid};
-pub use tresca_qcqp::{Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status};
+pub use tresca_qcqp::{
+    Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status,
+};
 
 /// Version of the library, written into every result file.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

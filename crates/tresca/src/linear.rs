@@ -4,10 +4,10 @@ use std::time::Instant;
 
 use serde::Serialize;
 
+use crate::ModelError;
 use crate::assemble::Assembled;
 use crate::dual::{FactorWork, factor};
 use crate::model::Model;
-use crate::ModelError;
 
 /// What one linear solve of all bodies costs: plain nested dissection, factorisation, one
 /// pair of sweeps. Assembly is not part of it.

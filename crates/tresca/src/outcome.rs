@@ -84,7 +84,10 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    #[expect(clippy::too_many_arguments, reason = "one place that gathers the parts of a result")]
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "one place that gathers the parts of a result"
+    )]
     pub(crate) fn new(
         assembled: &Assembled,
         description: Description,
@@ -127,7 +130,11 @@ fn pair_states(
     let m = assembled.pair_count();
     let mut relative = vec![0.0; 3 * m];
     for (system, u) in assembled.bodies.iter().zip(displacements) {
-        add_product(system.coupling.as_ref(), &system.dofs.restrict(u), &mut relative);
+        add_product(
+            system.coupling.as_ref(),
+            &system.dofs.restrict(u),
+            &mut relative,
+        );
     }
     let states = solution.active_set.states();
     let lambda = &solution.lambda;

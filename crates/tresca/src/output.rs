@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Instant;
 
+use crate::{Model, Outcome, Summary};
 use rayon::prelude::*;
 use tresca_fem::stress;
-use tresca_io::{CellType};
-use crate::{Model, Outcome, Summary};
+use tresca_io::CellType;

@@ -14,7 +14,7 @@ use crate::dual::{
 };
 use crate::outcome::{Outcome, Times};
 use crate::progress::{Progress, Stage};
-use crate::{ModelError, Model, memory};
+use crate::{Model, ModelError, memory};
 
 /// Sizes of a problem and how it is going to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -101,7 +101,11 @@ pub fn prepare(
         dofs: assembled.dof_count(),
         bodies: assembled.bodies.len(),
         pairs,
-        held_pairs: assembled.contacts.iter().map(|contact| contact.held_pairs).sum(),
+        held_pairs: assembled
+            .contacts
+            .iter()
+            .map(|contact| contact.held_pairs)
+            .sum(),
         engine,
         factorization: factored.work,
     };

@@ -106,7 +106,13 @@ impl Summary {
     /// Summarises an outcome. `output` is the time spent on stresses and files so far.
     pub fn new(title: &str, outcome: &Outcome, output: f64) -> Self {
         let solution = &outcome.solution;
-        let StateCounts { open, closed, stick, slip, .. } = solution.active_set.counts();
+        let StateCounts {
+            open,
+            closed,
+            stick,
+            slip,
+            ..
+        } = solution.active_set.counts();
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         let times = outcome.times;
         Self {
@@ -131,7 +137,10 @@ impl Summary {
                 normal_force_sum: outcome.pairs().map(|pair| pair.normal_force).sum(),
                 max_pressure: largest(&mut outcome.pairs().map(|pair| pair.pressure())),
                 max_slip_component: largest(
-                    &mut outcome.pairs().flat_map(|pair| pair.local_slip).map(f64::abs),
+                    &mut outcome
+                        .pairs()
+                        .flat_map(|pair| pair.local_slip)
+                        .map(f64::abs),
                 ),
                 max_gap: largest(&mut outcome.pairs().map(|pair| pair.gap)),
             },

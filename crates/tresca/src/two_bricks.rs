@@ -21,11 +21,20 @@ pub struct Units {
 
 impl Units {
     /// m, MN, MPa, as in the paper.
-    pub const METRE_MEGAPASCAL: Self = Self { length: 1.0, stress: 1.0 };
+    pub const METRE_MEGAPASCAL: Self = Self {
+        length: 1.0,
+        stress: 1.0,
+    };
     /// mm, N, MPa.
-    pub const MILLIMETRE_MEGAPASCAL: Self = Self { length: 1e3, stress: 1.0 };
+    pub const MILLIMETRE_MEGAPASCAL: Self = Self {
+        length: 1e3,
+        stress: 1.0,
+    };
     /// m, N, Pa.
-    pub const SI: Self = Self { length: 1.0, stress: 1e6 };
+    pub const SI: Self = Self {
+        length: 1.0,
+        stress: 1e6,
+    };
 }
 
 /// Two bricks of s × s × s nodes: 6s³ dofs, s² contact pairs.
@@ -40,7 +49,10 @@ pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
     let surface = |body, faces| SurfaceRef { body, faces };
     let mut model = Model::new(format!("Two bricks with Tresca friction, s = {s}"));
     for (name, low, poisson) in [("upper", 1.0, 0.277), ("lower", 0.0, 0.35)] {
-        let in_body = |source| ModelError::Body { body: name.to_owned(), source };
+        let in_body = |source| ModelError::Body {
+            body: name.to_owned(),
+            source,
+        };
         let spec = BrickSpec {
             min: [0.0, 0.0, low * units.length],
             max: [2.0 * units.length, units.length, (low + 1.0) * units.length],
@@ -50,10 +62,14 @@ pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
         let material = Isotropic::new(5.0e4 * units.stress, poisson).map_err(in_body)?;
         model.add_body(name, mesh, material)?;
     }
-    model.clamp(surface("upper", "x+"))?.clamp(surface("lower", "x-"))?;
+    model
+        .clamp(surface("upper", "x+"))?
+        .clamp(surface("lower", "x-"))?;
     let loaded = [surface("upper", "z+"), surface("upper", "x-")];
     model.add_traction(&loaded, [0.0, 0.0, -units.stress])?;
-    let friction = FrictionLaw::Tresca { bound: 0.09 * units.stress };
+    let friction = FrictionLaw::Tresca {
+        bound: 0.09 * units.stress,
+    };
     model.add_contact(surface("upper", "z-"), surface("lower", "z+"), friction)?;
     Ok(model)
 }

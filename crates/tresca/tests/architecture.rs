@@ -9,18 +9,37 @@ const ALLOWED: [(&str, &[&str]); 7] = [
     ("tresca-contact", &["tresca-fem", "tresca-la"]),
     ("tresca-qcqp", &["tresca-la"]),
     ("tresca-io", &["tresca-fem", "tresca-la"]),
-    ("tresca", &["tresca-contact", "tresca-fem", "tresca-io", "tresca-la", "tresca-qcqp"]),
+    (
+        "tresca",
+        &[
+            "tresca-contact",
+            "tresca-fem",
+            "tresca-io",
+            "tresca-la",
+            "tresca-qcqp",
+        ],
+    ),
     ("tresca-cli", &["tresca", "tresca-io"]),
 ];
 
 #[test]
 fn crates_import_only_what_the_architecture_allows() {
     let output = Command::new(env!("CARGO"))
-        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
+        .args([
+            "metadata",
+            "--no-deps",
+            "--offline",
+            "--format-version",
+            "1",
+        ])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let allowed: BTreeMap<_, _> = ALLOWED.into_iter().collect();
     let mut seen = BTreeSet::new();
@@ -39,5 +58,9 @@ fn crates_import_only_what_the_architecture_allows() {
             );
         }
     }
-    assert_eq!(seen.len(), allowed.len(), "a crate of the list is missing: {seen:?}");
+    assert_eq!(
+        seen.len(),
+        allowed.len(),
+        "a crate of the list is missing: {seen:?}"
+    );
 }

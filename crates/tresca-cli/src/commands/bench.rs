@@ -28,12 +28,36 @@ struct Published {
 
 /// Table 1 of the founding paper (two bricks; ε, ρ and the inner tolerances are not stated there).
 const PUBLISHED: [Published; 6] = [
-    Published { s: 16, imssn: (10, 161), ssn: (9, 1180) },
-    Published { s: 21, imssn: (9, 143), ssn: (9, 1428) },
-    Published { s: 26, imssn: (10, 185), ssn: (11, 2506) },
-    Published { s: 31, imssn: (10, 190), ssn: (10, 2162) },
-    Published { s: 36, imssn: (9, 167), ssn: (10, 2298) },
-    Published { s: 41, imssn: (10, 216), ssn: (10, 2586) },
+    Published {
+        s: 16,
+        imssn: (10, 161),
+        ssn: (9, 1180),
+    },
+    Published {
+        s: 21,
+        imssn: (9, 143),
+        ssn: (9, 1428),
+    },
+    Published {
+        s: 26,
+        imssn: (10, 185),
+        ssn: (11, 2506),
+    },
+    Published {
+        s: 31,
+        imssn: (10, 190),
+        ssn: (10, 2162),
+    },
+    Published {
+        s: 36,
+        imssn: (9, 167),
+        ssn: (10, 2298),
+    },
+    Published {
+        s: 41,
+        imssn: (10, 216),
+        ssn: (10, 2586),
+    },
 ];
 
 fn run_table1(arguments: &Table1Arguments) -> miette::Result<u8> {
@@ -44,12 +68,18 @@ fn run_table1(arguments: &Table1Arguments) -> miette::Result<u8> {
         let model = two_bricks(s, Units::METRE_MEGAPASCAL).into_diagnostic()?;
         all_converged &= run_size(s, &model, arguments)?;
     }
-    Ok(if all_converged { crate::SUCCESS } else { crate::NOT_CONVERGED })
+    Ok(if all_converged {
+        crate::SUCCESS
+    } else {
+        crate::NOT_CONVERGED
+    })
 }
 
 fn print_legend(arguments: &Table1Arguments) {
     let settings = paper_settings(arguments, Method::Imssn);
-    println!("Two bricks, Tresca friction. Every figure `iterations / n_A`; n_A counts all multiplications");
+    println!(
+        "Two bricks, Tresca friction. Every figure `iterations / n_A`; n_A counts all multiplications"
+    );
     println!("by A but those for the estimate of σmax, which stand apart in brackets.");
     println!(
         "IMSSN and SSN: tolerance {:.0e}, ρ = {}/σmax, r_tol = {}, c_fact = {}, inner tolerance of SSN {:.0e}.",
@@ -79,7 +109,10 @@ fn run_size(s: usize, model: &Model, arguments: &Table1Arguments) -> miette::Res
         grouped(prepared.description.pairs),
         prepared.description.engine.engine
     );
-    println!("    {:<22} {:>16} {:>12} {:>10}", "method", "iter / n_A", "published", "time");
+    println!(
+        "    {:<22} {:>16} {:>12} {:>10}",
+        "method", "iter / n_A", "published", "time"
+    );
     if !arguments.grssn_only {
         for method in [Method::Imssn, Method::Ssn] {
             let theirs = published.map(|row| match method {
@@ -90,19 +123,30 @@ fn run_size(s: usize, model: &Model, arguments: &Table1Arguments) -> miette::Res
             converged &= print_row(&outcome, theirs);
         }
         for &tolerance in &arguments.tolerance {
-            let settings = Settings { tolerance, ..paper_settings(arguments, Method::Apgd) };
+            let settings = Settings {
+                tolerance,
+                ..paper_settings(arguments, Method::Apgd)
+            };
             converged &= print_row(&again(&mut prepared, model, &settings)?, None);
         }
     }
     converged &= print_row(&first, None);
     for &tolerance in &arguments.tolerance[1..] {
-        let settings = Settings { tolerance, ..grssn_settings(arguments) };
+        let settings = Settings {
+            tolerance,
+            ..grssn_settings(arguments)
+        };
         converged &= print_row(&again(&mut prepared, model, &settings)?, None);
     }
     let peak = memory::peak_bytes();
 
     // The factors go before the yardstick's are made: the peak printed is that of the contact solve.
-    let Prepared { assembled, factored, dual, .. } = prepared;
+    let Prepared {
+        assembled,
+        factored,
+        dual,
+        ..
+    } = prepared;
     drop((factored, dual));
     let linear = linear_solve(model, &assembled).into_diagnostic()?;
     print_cost(&first, whole, &linear, peak);
@@ -140,7 +184,10 @@ fn whole_solve(
 }
 
 fn again(prepared: &mut Prepared, model: &Model, settings: &Settings) -> miette::Result<Outcome> {
-    match prepared.solve(model, settings, &mut Silent).into_diagnostic()? {
+    match prepared
+        .solve(model, settings, &mut Silent)
+        .into_diagnostic()?
+    {
         Run::Finished(outcome) => Ok(*outcome),
         Run::Stopped(_) => Err(miette!("interrupted")),
     }
@@ -149,10 +196,20 @@ fn again(prepared: &mut Prepared, model: &Model, settings: &Settings) -> miette:
 fn print_row(outcome: &Outcome, published: Option<(usize, usize)>) -> bool {
     let solution = &outcome.solution;
     let name = format!("{} {:.0e}", solution.method, outcome.settings.tolerance);
-    let ours = format!("{} / {}", solution.iterations, solution.n_a - solution.n_a_setup);
-    let theirs = published.map_or(String::new(), |(iterations, n_a)| format!("{iterations} / {n_a}"));
+    let ours = format!(
+        "{} / {}",
+        solution.iterations,
+        solution.n_a - solution.n_a_setup
+    );
+    let theirs = published.map_or(String::new(), |(iterations, n_a)| {
+        format!("{iterations} / {n_a}")
+    });
     let converged = solution.status == Status::Converged;
-    let remark = if converged { String::new() } else { format!("  {}", solution.status) };
+    let remark = if converged {
+        String::new()
+    } else {
+        format!("  {}", solution.status)
+    };
     println!(
         "    {name:<22} {ours:>16} {theirs:>12} {:>10}  [σmax: {}]{remark}",
         seconds(outcome.times.solve),

@@ -24,7 +24,10 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         println!("tresca {} · {}", tresca::VERSION, case.model.title());
     }
     if arguments.verbose {
-        print!("settings:\n{}", toml::to_string(&settings).into_diagnostic()?);
+        print!(
+            "settings:\n{}",
+            toml::to_string(&settings).into_diagnostic()?
+        );
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
     let run = tresca::solve(&case.model, &settings, &mut monitor)
@@ -33,7 +36,9 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     let outcome = match run {
         Run::Finished(outcome) => outcome,
         Run::Stopped(stage) => {
-            eprintln!("interrupted before the first iteration (at: {stage:?}); nothing was written");
+            eprintln!(
+                "interrupted before the first iteration (at: {stage:?}); nothing was written"
+            );
             return Ok(crate::INTERRUPTED);
         }
     };

@@ -43,7 +43,9 @@ impl Monitor {
         }
         let style = ProgressStyle::with_template("{spinner} {msg} {elapsed}")
             .unwrap_or_else(|_| ProgressStyle::default_spinner());
-        self.spinner = ProgressBar::new_spinner().with_style(style).with_message(message);
+        self.spinner = ProgressBar::new_spinner()
+            .with_style(style)
+            .with_message(message);
         self.spinner.enable_steady_tick(Duration::from_millis(120));
     }
 
