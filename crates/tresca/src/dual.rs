@@ -146,13 +146,8 @@ pub fn dual_problem(
     engine: Engine,
 ) -> Result<DualProblem, ModelError> {
     let m = assembled.pair_count();
-    let mut set = ProductSet::builder();
-    for i in 0..m {
-        set.half_line(i);
-    }
-    for (i, pair) in assembled.pairs().enumerate() {
-        set.disc(m + 2 * i, pair.slip_bound);
-    }
+    let bounds: Vec<f64> = assembled.pairs().map(|pair| pair.slip_bound).collect();
+    let set = ProductSet::contact_3d(&bounds)?;
 
     // b = B K⁻¹ f − c, c = [d; 0].
     let mut rhs = vec![0.0; 3 * m];

@@ -39,6 +39,7 @@ pub struct Summary {
     /// Seconds.
     pub times: TimesSummary,
     /// Peak memory of the process.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub peak_memory_bytes: Option<u64>,
     /// Engine and why.
     pub engine: EngineChoice,

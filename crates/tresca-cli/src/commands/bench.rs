@@ -5,9 +5,10 @@ use std::time::Instant;
 
 use miette::{IntoDiagnostic, miette};
 use tresca::linear::{LinearSolve, linear_solve};
+use tresca::output::Destination;
 use tresca::two_bricks::Units;
 use tresca::{
-    Method, Model, Outcome, Prepared, Run, Settings, Silent, Status, memory, output, two_bricks,
+    Method, Model, Outcome, Prepared, Run, Settings, Silent, Status, memory, two_bricks,
 };
 
 use crate::args::{BenchArguments, Experiment, Table1Arguments, use_threads};
@@ -179,7 +180,9 @@ fn whole_solve(
         return Err(miette!("interrupted"));
     };
     let outcome = again(&mut prepared, model, &settings)?;
-    output::write(model, &outcome, directory.path())?;
+    Destination::new(directory.path())
+        .and_then(|destination| destination.write("two-bricks", model, &outcome))
+        .into_diagnostic()?;
     Ok((prepared, outcome, begin.elapsed().as_secs_f64()))
 }
 

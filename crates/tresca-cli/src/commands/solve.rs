@@ -1,10 +1,11 @@
 //! `tresca solve`: a case file in, result files and a verdict out.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use miette::{IntoDiagnostic, Report, miette};
 use tresca::case::Case;
-use tresca::{Run, output};
+use tresca::Run;
+use tresca::output::Destination;
 
 use crate::args::{SolveArguments, use_threads};
 use crate::interrupt::Interrupt;
@@ -14,11 +15,12 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
     let case = Case::load(&arguments.case)?;
     let settings = arguments.solver.over(case.settings())?;
+    let name = case_name(&arguments.case)?;
     let directory = match &arguments.out {
         Some(directory) => directory.clone(),
-        None => default_directory(&arguments.case)?,
+        None => Path::new("out").join(name),
     };
-    output::check_directory(&directory)?;
+    let destination = Destination::new(&directory).into_diagnostic()?;
 
     if !arguments.quiet {
         println!("tresca {} · {}", tresca::VERSION, case.model.title());
@@ -42,7 +44,7 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
             return Ok(crate::INTERRUPTED);
         }
     };
-    let summary = output::write(&case.model, &outcome, &directory)?;
+    let summary = destination.write(name, &case.model, &outcome).into_diagnostic()?;
     if !arguments.quiet {
         verdict::print(&summary, &directory);
     }
@@ -53,10 +55,9 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     })
 }
 
-/// `out/<case name>`.
-fn default_directory(case: &Path) -> miette::Result<PathBuf> {
-    let stem = case
-        .file_stem()
-        .ok_or_else(|| miette!("`{}` is not the name of a case file", case.display()))?;
-    Ok(Path::new("out").join(stem))
+/// The case file's name without its extension: results are called after it.
+fn case_name(case: &Path) -> miette::Result<&str> {
+    case.file_stem()
+        .and_then(|stem| stem.to_str())
+        .ok_or_else(|| miette!("`{}` is not the name of a case file", case.display()))
 }
