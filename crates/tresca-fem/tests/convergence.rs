@@ -3,6 +3,8 @@
 //! u_i(x) = a_i(x) b_i(y) c_i(z), smooth and no polynomial, on the unit cube; Dirichlet data on the
 //! whole boundary; body force b = −div σ(u) = −(λ + μ) ∇(div u) − μ Δu.
 
+#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
+
 mod common;
 
 use common::{perturbed_brick, solve_by_cg};
@@ -147,9 +149,8 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
             let volume = weight * determinant;
             let mut e = strain(p).map(|x| -x);
             for (a, &node) in cell.nodes.iter().enumerate() {
-                let g: [f64; 3] = std::array::from_fn(|i| {
-                    (0..3).map(|k| reference[a][k] * inverse[k][i]).sum()
-                });
+                let g: [f64; 3] =
+                    std::array::from_fn(|i| (0..3).map(|k| reference[a][k] * inverse[k][i]).sum());
                 let v = &u[3 * node..3 * node + 3];
                 for i in 0..3 {
                     e[i] += g[i] * v[i];
@@ -193,7 +194,10 @@ fn inverse(a: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
         a[r1][c1] * a[r2][c2] - a[r1][c2] * a[r2][c1]
     };
     let determinant = (0..3).map(|c| a[0][c] * cofactor(0, c)).sum();
-    (std::array::from_fn(|i| std::array::from_fn(|j| cofactor(j, i) / determinant)), determinant)
+    (
+        std::array::from_fn(|i| std::array::from_fn(|j| cofactor(j, i) / determinant)),
+        determinant,
+    )
 }
 
 /// Observed rates between consecutive meshes.

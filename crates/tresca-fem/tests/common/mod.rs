@@ -52,11 +52,21 @@ pub fn solve(mesh: &Mesh, material: &Isotropic, supports: &Supports, load: &[f64
 
 /// The same by conjugate gradients with the diagonal as preconditioner, to 1e-11: faster on the
 /// finer meshes.
-pub fn solve_by_cg(mesh: &Mesh, material: &Isotropic, supports: &Supports, load: &[f64]) -> Vec<f64> {
+pub fn solve_by_cg(
+    mesh: &Mesh,
+    material: &Isotropic,
+    supports: &Supports,
+    load: &[f64],
+) -> Vec<f64> {
     solve_by(mesh, material, supports, load, |k, f| {
         let diagonal = k.diagonal();
         let (mut x, mut r, mut kp) = (vec![0.0; f.len()], f.to_vec(), vec![0.0; f.len()]);
-        let precondition = |r: &[f64]| r.iter().zip(&diagonal).map(|(r, d)| r / d).collect::<Vec<f64>>();
+        let precondition = |r: &[f64]| {
+            r.iter()
+                .zip(&diagonal)
+                .map(|(r, d)| r / d)
+                .collect::<Vec<f64>>()
+        };
         let mut z = precondition(&r);
         let mut p = z.clone();
         let mut rz = dot(&r, &z);
@@ -70,7 +80,9 @@ pub fn solve_by_cg(mesh: &Mesh, material: &Isotropic, supports: &Supports, load:
             }
             z = precondition(&r);
             let before = std::mem::replace(&mut rz, dot(&r, &z));
-            p.iter_mut().zip(&z).for_each(|(p, z)| *p = z + rz / before * *p);
+            p.iter_mut()
+                .zip(&z)
+                .for_each(|(p, z)| *p = z + rz / before * *p);
         }
         panic!("conjugate gradients did not converge");
     })
