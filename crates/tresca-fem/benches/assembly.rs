@@ -10,12 +10,12 @@ use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{BrickSpec, brick};
 use tresca_fem::supports::Supports;
-use tresca_fem::{assembly, stress};
+use tresca_fem::{FemError, assembly, stress};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let s = std::env::args()
         .skip(1)
-        .find_map(|arg| arg.parse().ok())
+        .find_map(|arg| arg.parse::<usize>().ok())
         .unwrap_or(41);
     let mesh = brick(&BrickSpec {
         min: [0.0; 3],
@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
     report("stress recovery", || {
         std::hint::black_box(stress::recover(&mesh, &material, &u));
-        Ok(())
+        Ok::<(), FemError>(())
     })?;
     report("mesh", || {
         brick(&BrickSpec {

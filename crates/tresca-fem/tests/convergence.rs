@@ -3,9 +3,11 @@
 //! u_i(x) = a_i(x) b_i(y) c_i(z), smooth and no polynomial, on the unit cube; Dirichlet data on the
 //! whole boundary; body force b = −div σ(u) = −(λ + μ) ∇(div u) − μ Δu.
 
+#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
+
 mod common;
 
-use common::{perturbed_brick, solve};
+use common::{perturbed_brick, solve_by_cg};
 use tresca_fem::loads::body_force;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::Mesh;
@@ -113,7 +115,7 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
             supports.prescribe(node, component, value).unwrap();
         }
     }
-    let u = solve(
+    let u = solve_by_cg(
         mesh,
         material,
         &supports,
@@ -130,26 +132,25 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
             element.shape(xi, &mut shape);
             element.gradients(xi, &mut reference);
             let (mut p, mut value, mut tensor) = ([0.0; 3], [0.0; 3], [0.0; 6]);
-            let mut j = faer::Mat::<f64>::zeros(3, 3);
+            let mut jacobian = [[0.0; 3]; 3];
             for (a, &node) in cell.nodes.iter().enumerate() {
                 for i in 0..3 {
                     p[i] += shape[a] * mesh.points[node][i];
                     value[i] += shape[a] * u[3 * node + i];
                     for k in 0..3 {
-                        j[(i, k)] += reference[a][k] * mesh.points[node][i];
+                        jacobian[i][k] += reference[a][k] * mesh.points[node][i];
                     }
                 }
                 for k in 0..6 {
                     tensor[k] += shape[a] * recovered[node][k];
                 }
             }
-            let volume = weight * j.determinant();
-            let inverse = faer::linalg::solvers::DenseSolveCore::inverse(&j.partial_piv_lu());
+            let (inverse, determinant) = inverse(&jacobian);
+            let volume = weight * determinant;
             let mut e = strain(p).map(|x| -x);
             for (a, &node) in cell.nodes.iter().enumerate() {
-                let g: [f64; 3] = std::array::from_fn(|i| {
-                    (0..3).map(|k| reference[a][k] * inverse[(k, i)]).sum()
-                });
+                let g: [f64; 3] =
+                    std::array::from_fn(|i| (0..3).map(|k| reference[a][k] * inverse[k][i]).sum());
                 let v = &u[3 * node..3 * node + 3];
                 for i in 0..3 {
                     e[i] += g[i] * v[i];
@@ -184,6 +185,19 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
         stress,
         largest_stress,
     }
+}
+
+/// Inverse and determinant by cofactors.
+fn inverse(a: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
+    let cofactor = |r: usize, c: usize| {
+        let (r1, r2, c1, c2) = ((r + 1) % 3, (r + 2) % 3, (c + 1) % 3, (c + 2) % 3);
+        a[r1][c1] * a[r2][c2] - a[r1][c2] * a[r2][c1]
+    };
+    let determinant = (0..3).map(|c| a[0][c] * cofactor(0, c)).sum();
+    (
+        std::array::from_fn(|i| std::array::from_fn(|j| cofactor(j, i) / determinant)),
+        determinant,
+    )
 }
 
 /// Observed rates between consecutive meshes.
@@ -222,6 +236,5 @@ fn rates_on_irregular_meshes() {
     let [displacement, energy, stress, _] = rates[rates.len() - 1];
     assert!((displacement - 2.0).abs() < 0.2, "{rates:?}");
     assert!((energy - 1.0).abs() < 0.1, "{rates:?}");
-    // Irregular cells have no exact superconvergent points; first order would be the plain stress.
-    assert!(stress > 1.2, "{rates:?}");
+    assert!(stress > 1.7, "{rates:?}");
 }

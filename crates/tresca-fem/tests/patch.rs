@@ -1,5 +1,7 @@
 //! States of constant strain are exact on any mesh.
 
+#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
+
 mod common;
 
 use common::{perturbed_brick, solve};

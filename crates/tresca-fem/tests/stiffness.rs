@@ -1,5 +1,7 @@
 //! The assembled stiffness against a naive dense assembly, and its invariants.
 
+#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
+
 mod common;
 
 use common::{dense, perturbed_brick};
