@@ -16,10 +16,17 @@
 //! - **Determinism**: every result is the same bit for bit, whatever the number
 //!   of rayon threads.
 
+pub mod assembly;
+pub mod dofs;
 pub mod element;
 mod error;
+pub mod loads;
+pub mod material;
 pub mod mesh;
 pub mod quadrature;
+pub mod rigid;
+pub mod stress;
+pub mod supports;
 mod tensor;
 
 pub use error::FemError;

@@ -17,7 +17,7 @@ mod topology;
 
 pub use brick::{BrickSpec, brick};
 pub use geometry::BoundingBox;
-pub(crate) use geometry::FaceTables;
+pub(crate) use geometry::{FaceTables, cell_determinant, gather_points};
 pub use topology::Incidence;
 
 use crate::FemError;
