@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
 
 use super::error::{CaseError, Fault, FaultKind};
 use super::keys::{Body, Brick, CaseKeys, ContactKeys, FrictionKeys, Material, Mesh, Triple};
 use super::source::{CaseSource, Span};
-use super::translate::{listed, nearest, unsupported};
+use super::translate::{listed, nearest};
 use super::{BRICK_FACES, CaseFile, Clamp, Contact, Friction, SlipBound, Surface, Traction};
 
 /// Nodes that one body may have. Three unknowns per node: a hundred million nodes are beyond any
@@ -18,39 +17,8 @@ pub const MAX_NODES: usize = 100_000_000;
 /// Longest name of a body, in bytes: it becomes part of names of files.
 const MAX_NAME: usize = 64;
 
-const LAWS: [&str; 1] = ["tresca"];
-
 /// Names that the files of every run have, beside those of the bodies.
 const RESERVED_NAMES: [&str; 3] = ["contact", "history", "summary"];
-
-/// Friction laws that are not known, looked for ahead of the keys: otherwise the report on a law of
-/// another version would name one of its keys instead of the law.
-pub(super) fn friction_laws(source: &CaseSource, root: &DeTable<'_>) -> Result<(), CaseError> {
-    let contacts = root
-        .get("contact")
-        .and_then(|list| list.get_ref().as_array());
-    let laws = contacts
-        .into_iter()
-        .flatten()
-        .filter_map(|contact| contact.get_ref().get("friction")?.get_ref().get("law"));
-    for law in laws {
-        if let DeValue::String(name) = law.get_ref()
-            && !LAWS.contains(&name.as_ref())
-        {
-            return Err(unsupported(
-                FaultKind::BadValue,
-                source,
-                law.span(),
-                format!("the friction law `{name}` is not supported"),
-                name,
-                &LAWS,
-            )
-            .with_help("supported: `tresca`; with `bound = 0.0` it is contact without friction")
-            .into());
-        }
-    }
-    Ok(())
-}
 
 /// Keys to case, with all checks.
 pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFile<S>, CaseError> {
@@ -374,7 +342,7 @@ impl Check<'_> {
     }
 
     fn friction(&self, keys: &Spanned<FrictionKeys>) -> Result<Friction, CaseError> {
-        // The only law there is: others were refused by `friction_laws`.
+        // The only law there is: others were refused by `precheck::friction_laws`.
         let law = keys.get_ref().law.get_ref();
         let Some(bound) = &keys.get_ref().bound else {
             return Err(self

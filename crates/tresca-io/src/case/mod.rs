@@ -30,6 +30,7 @@
 mod check;
 mod error;
 mod keys;
+mod precheck;
 mod source;
 mod translate;
 
@@ -158,7 +159,8 @@ pub fn parse<S: DeserializeOwned + Default>(
     let source = CaseSource::new(name, text);
     let table =
         DeTable::parse(source.text()).map_err(|error| translate::syntax_error(&source, &error))?;
-    check::friction_laws(&source, table.get_ref())?;
+    precheck::friction_laws(&source, table.get_ref())?;
+    precheck::lists_for_tables(&source, table.get_ref())?;
     let keys = keys::CaseKeys::deserialize(table.into_deserializer())
         .map_err(|error| translate::shape_error(&source, &error))?;
     check::resolve(keys, source)

@@ -25,6 +25,17 @@ pub(super) fn syntax_error(source: &CaseSource, error: &toml::de::Error) -> Case
         )
         .into();
     }
+    if follows_decimal_comma(source, &span) {
+        return Fault::new(
+            FaultKind::Syntax,
+            source,
+            span,
+            "the case file is not valid TOML",
+            "unexpected behind a comma between digits",
+        )
+        .with_help("decimals are written with a point, as in 0.277")
+        .into();
+    }
     Fault::new(
         FaultKind::Syntax,
         source,
@@ -37,6 +48,17 @@ pub(super) fn syntax_error(source: &CaseSource, error: &toml::de::Error) -> Case
          tables in {braces}, each closed; see https://toml.io",
     )
     .into()
+}
+
+/// Whether the text before the fault ends with a number like `0,277`: the reader takes what stands
+/// behind the comma for a key, and stumbles at its end.
+fn follows_decimal_comma(source: &CaseSource, span: &Span) -> bool {
+    let before = source.slice(0..span.start).trim_end();
+    let decimals = before.trim_end_matches(|c: char| c.is_ascii_digit());
+    decimals.len() < before.len()
+        && decimals
+            .strip_suffix(',')
+            .is_some_and(|whole| whole.ends_with(|c: char| c.is_ascii_digit()))
 }
 
 /// The text is TOML, but not of the shape of a case file.
@@ -65,6 +87,15 @@ pub(super) fn shape_error(source: &CaseSource, error: &toml::de::Error) -> CaseE
             span,
             "a list of the wrong length",
             format!("expected {expected}, found {found} entries"),
+        )
+        .into()
+    } else if message.starts_with("wanted exactly 1 element") {
+        Fault::new(
+            FaultKind::WrongType,
+            source,
+            span,
+            "one choice is wanted here",
+            "expected exactly one key in this table",
         )
         .into()
     } else {
@@ -170,7 +201,7 @@ fn wrong_type(source: &CaseSource, span: Span, found: &str, expected: &str) -> C
         source,
         span,
         format!("expected {}", expected_in_words(expected)),
-        format!("found {}", found_in_words(found)),
+        format!("found {}", found_in_words(found, text)),
     );
     match help {
         Some(help) => fault.with_help(help),
@@ -199,16 +230,15 @@ fn expected_in_words(expected: &str) -> &str {
     }
 }
 
-fn found_in_words(found: &str) -> String {
-    let found = found.replace('`', "");
-    match found.split_once(' ') {
-        Some(("string", text)) => format!("the text {text}"),
-        Some(("floating", rest)) => format!("the number {}", rest.trim_start_matches("point ")),
-        Some(("integer", number)) => format!("the whole number {number}"),
-        Some(("boolean", value)) => value.to_owned(),
-        _ if found == "map" => "a table".to_owned(),
-        _ if found == "sequence" => "a list".to_owned(),
-        _ => found,
+/// `found` is serde's word for it, `text` what stands in the file.
+fn found_in_words(found: &str, text: &str) -> String {
+    match found.split([' ', '(']).next() {
+        Some("string") => format!("the text {text}"),
+        Some("floating" | "integer") => format!("the number {text}"),
+        Some("boolean") => text.to_owned(),
+        Some("map") => "a table".to_owned(),
+        Some("sequence") => "a list".to_owned(),
+        _ => found.to_owned(),
     }
 }
 
