@@ -76,7 +76,12 @@ pub struct ContactFields<'a> {
     pub gap: &'a [f64],
     /// Relative tangential displacement, slave minus master, in the directions of the axes.
     pub slip: &'a [[f64; 3]],
-    /// What the point does; written as `status`, 0 open, 1 stick, 2 slip.
+    /// 1 where the point carries a normal force.
+    pub closed: &'a [u8],
+    /// 1 where the tangential force is below the slip bound. With Tresca's law an open point may
+    /// stick or slip, too.
+    pub sticking: &'a [u8],
+    /// What the point does, in one word; written as `status`, 0 open, 1 stick, 2 slip.
     pub status: &'a [ContactState],
     /// Facts about the run.
     pub facts: Vec<(String, Fact)>,
@@ -111,6 +116,8 @@ impl ContactFields<'_> {
             Field::new("slip_bound", Values::Scalars(self.slip_bound)),
             Field::new("gap", Values::Scalars(self.gap)),
             Field::new("slip", Values::Vectors(self.slip)),
+            Field::new("closed", Values::States(self.closed)),
+            Field::new("sticking", Values::States(self.sticking)),
             Field::new("status", Values::States(&status)),
         ];
         grid.facts = self.facts.clone();

@@ -1,13 +1,12 @@
 //! From matrices to the dual problem: factorisation, choice of engine, A and b.
 
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::time::Instant;
 
 use rayon::prelude::*;
 use tresca_la::{Ordering, Parallelism, SparseCholesky};
-use tresca_qcqp::operator::{
-    CondensedBody, CondensedOperator, DenseOperator, FactoredBody, FactoredOperator,
-};
-use tresca_qcqp::{DualOperator, DualProblem, Engine, ProductSet, Settings};
+use tresca_qcqp::operator::{Condensed, Coupling, Factored as FactoredOperator, groups};
+use tresca_qcqp::{DualProblem, Engine, ProductSet};
 
 use crate::ModelError;
 use crate::assemble::Assembled;
@@ -19,10 +18,13 @@ use crate::model::Model;
 /// some fifty multiplications (measured; see `docs/adr`).
 const EXPLICIT_UP_TO: usize = 1000;
 
+/// Largest patch of the local model of A (see `docs/reproduction.md` for what its size does).
+const PAIRS_PER_PATCH: usize = 24;
+
 /// The factored bodies.
 pub struct Factored {
     /// One factor per body, `Arc` because the factored engine multiplies with it, too.
-    pub factors: Vec<std::sync::Arc<SparseCholesky>>,
+    pub factors: Vec<Arc<SparseCholesky>>,
     /// K⁻¹f of each body, over free dofs: the displacement without contact.
     pub unconstrained: Vec<Vec<f64>>,
     /// Sizes and speed.
@@ -89,7 +91,8 @@ pub fn factor(
 ) -> Result<Factored, ModelError> {
     let start = Instant::now();
     let threads = rayon::current_num_threads();
-    let parallelism = Parallelism::threads(threads / assembled.bodies.len().clamp(1, threads));
+    // The bodies share the threads; a body that gets none of its own runs on one.
+    let parallelism = Parallelism::Threads((threads / assembled.bodies.len()).max(1));
     let parts = assembled
         .bodies
         .par_iter()
@@ -100,18 +103,20 @@ pub fn factor(
             } else {
                 Ordering::nested_dissection(&system.stiffness)
             };
-            ordering
-                .and_then(|ordering| {
-                    SparseCholesky::factor(&system.stiffness, ordering, parallelism)
-                })
-                .map_err(|source| ModelError::Factorization {
+            let ordering = ordering.map_err(|source| ModelError::Ordering {
+                body: body.name.clone(),
+                source,
+            })?;
+            SparseCholesky::factor(&system.stiffness, ordering, parallelism).map_err(|source| {
+                ModelError::Factorization {
                     body: body.name.clone(),
                     source,
-                })
+                }
+            })
         })
         .collect::<Result<Vec<_>, _>>()?;
     let seconds = start.elapsed().as_secs_f64();
-    let factors: Vec<_> = parts.into_iter().map(std::sync::Arc::new).collect();
+    let factors: Vec<_> = parts.into_iter().map(Arc::new).collect();
     let unconstrained = factors
         .par_iter()
         .zip(&assembled.bodies)
@@ -157,11 +162,56 @@ pub fn dual_problem(
     for (b, pair) in rhs.iter_mut().zip(assembled.pairs()) {
         *b -= pair.gap;
     }
-    Ok(DualProblem::new(
-        operator(assembled, factored, engine),
-        rhs,
-        set.build()?,
-    )?)
+    let groups = groups_of_neighbours(assembled);
+    let problem = match engine {
+        Engine::Factored => {
+            let bodies = assembled
+                .bodies
+                .iter()
+                .zip(&factored.factors)
+                .map(|(system, factor)| {
+                    let coupling = Coupling::new(system.coupling.clone());
+                    (&system.stiffness, Arc::clone(factor), coupling)
+                })
+                .collect();
+            DualProblem::new(FactoredOperator::new(bodies, &groups), rhs, set)
+        }
+        Engine::Condensed => DualProblem::new(condensed(assembled, factored, groups), rhs, set),
+        Engine::Explicit | Engine::Auto => {
+            let all = Parallelism::Threads(rayon::current_num_threads());
+            let explicit = condensed(assembled, factored, groups).explicit(all);
+            DualProblem::new(explicit, rhs, set)
+        }
+    };
+    Ok(problem?)
+}
+
+fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>) -> Condensed {
+    let bodies = assembled
+        .bodies
+        .par_iter()
+        .zip(&factored.factors)
+        .map(|(system, factor)| {
+            let coupling = Coupling::new(system.coupling.clone());
+            (factor.trailing(), coupling.restricted(&system.contact_dofs))
+        })
+        .collect();
+    Condensed::new(bodies, groups)
+}
+
+/// The unknowns of neighbouring pairs, contact by contact: the patches of the local model of A.
+fn groups_of_neighbours(assembled: &Assembled) -> Vec<Vec<usize>> {
+    let mut first = 0;
+    let mut pairs = Vec::new();
+    for contact in &assembled.contacts {
+        let points: Vec<[f64; 3]> = contact.pairs.iter().map(|pair| pair.point).collect();
+        let patches = groups::neighbours(&points, PAIRS_PER_PATCH);
+        pairs.extend(patches.into_iter().map(|patch| {
+            patch.into_iter().map(|i| first + i).collect::<Vec<_>>()
+        }));
+        first += points.len();
+    }
+    groups::unknowns_of_pairs(&pairs, 3)
 }
 
 /// u = K⁻¹(f − Bᵀλ) of each body, over its full dofs.

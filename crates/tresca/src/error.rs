@@ -95,6 +95,14 @@ pub enum ModelError {
         /// What is wrong.
         source: tresca_la::FactorError,
     },
+    /// No fill-reducing ordering could be made.
+    #[error("body `{body}`: {source}")]
+    Ordering {
+        /// The body.
+        body: String,
+        /// Why.
+        source: tresca_la::OrderingError,
+    },
     /// The dual problem was refused.
     #[error(transparent)]
     Dual(#[from] tresca_qcqp::QcqpError),

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use tresca_contact::ContactPair;
+use tresca_qcqp::sets::BlockState;
 use tresca_qcqp::{Settings, Solution, Status};
 
 use crate::assemble::Assembled;
@@ -155,8 +156,8 @@ fn pair_states(
                     let global = |[a, b]: [f64; 2]| pair.frame.to_global([0.0, a, b]);
                     let local_slip = tangential(&relative);
                     PairState {
-                        closed: states[i].is_free(),
-                        stick: states[m + i].is_free(),
+                        closed: states[i] == BlockState::Free,
+                        stick: states[m + i] == BlockState::Free,
                         normal_force: lambda[i],
                         friction_force: global(tangential(lambda)),
                         gap: pair.gap - relative[i],
