@@ -473,9 +473,7 @@ impl Check<'_> {
                 format!("{what} is not a finite number"),
                 format!("expected a finite number, found {number:?}"),
             )
-            .with_help(
-                "TOML knows the words `nan` and `inf`, and numbers beyond 1.8e308 count as `inf`",
-            )
+            .with_help("TOML knows the words `nan` and `inf`; a case file takes numbers only")
             .into())
     }
 }
