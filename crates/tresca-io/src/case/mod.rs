@@ -33,6 +33,7 @@ mod keys;
 mod precheck;
 mod source;
 mod translate;
+mod values;
 
 use std::io;
 use std::path::Path;
@@ -42,10 +43,10 @@ use serde::de::{DeserializeOwned, IntoDeserializer};
 use toml::Spanned;
 use toml::de::DeTable;
 
-pub use check::MAX_NODES;
 pub use error::{CaseError, Fault, FaultKind};
 pub use keys::{Body, Brick, Material, Mesh, Triple};
 pub use source::{CaseSource, Span};
+pub use values::MAX_NODES;
 
 /// A case file whose names are resolved and whose values are possible. `S` holds the solver's
 /// settings: the caller's type, so that no solver key is known here; it should refuse unknown keys
