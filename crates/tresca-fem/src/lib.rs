@@ -16,6 +16,9 @@
 //! - **Determinism**: every result is the same bit for bit, whatever the number
 //!   of rayon threads.
 
+// Loops over components i, j, k are written as in the formulas.
+#![allow(clippy::needless_range_loop)]
+
 pub mod assembly;
 pub mod dofs;
 pub mod element;

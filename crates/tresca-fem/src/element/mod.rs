@@ -3,6 +3,8 @@
 //! An element maps its reference domain to a cell by x(ξ) = Σ_a φ_a(ξ) x_a
 //! (isoparametric). Node and face numbering are VTK's.
 
+#[cfg(test)]
+mod conformance;
 mod hex8;
 mod line2;
 mod quad4;
