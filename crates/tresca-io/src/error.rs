@@ -24,8 +24,8 @@ pub enum WriteError {
     #[diagnostic(code(write::io))]
     Stream(#[from] io::Error),
 
-    /// A file of a set is no plain name, or stands in the set twice.
-    #[error("`{name}` cannot be the name of a result file: {reason}")]
+    /// A name of a file or field that cannot be: no plain file name, or given twice.
+    #[error("the name `{name}` cannot be used: {reason}")]
     #[diagnostic(code(write::name))]
     Name {
         /// The name as given.

@@ -18,11 +18,11 @@ pub enum CaseError {
         /// The path as it was given.
         path: PathBuf,
         /// What stood in the way, in words.
-        reason: String,
+        reason: &'static str,
         /// The likely cause.
         #[help]
         help: Option<String>,
-        /// The error of the operating system, where there was one.
+        /// What the operating system says, where the reason does not say it all.
         #[source]
         source: Option<io::Error>,
     },

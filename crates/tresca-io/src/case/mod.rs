@@ -33,6 +33,7 @@ mod keys;
 mod precheck;
 mod source;
 mod translate;
+mod values;
 
 use std::io;
 use std::path::Path;
@@ -42,10 +43,10 @@ use serde::de::{DeserializeOwned, IntoDeserializer};
 use toml::Spanned;
 use toml::de::DeTable;
 
-pub use check::MAX_NODES;
 pub use error::{CaseError, Fault, FaultKind};
 pub use keys::{Body, Brick, Material, Mesh, Triple};
 pub use source::{CaseSource, Span};
+pub use values::MAX_NODES;
 
 /// A case file whose names are resolved and whose values are possible. `S` holds the solver's
 /// settings: the caller's type, so that no solver key is known here; it should refuse unknown keys
@@ -167,47 +168,42 @@ pub fn parse<S: DeserializeOwned + Default>(
 }
 
 fn unreadable(path: &Path, error: io::Error) -> CaseError {
-    let (reason, help) = if path.is_dir() {
-        (
-            "it is a directory".to_owned(),
-            Some("name the case file inside it, such as `case.toml`".to_owned()),
-        )
+    let (reason, help, source) = if path.is_dir() {
+        let help = "name the case file inside it, such as `case.toml`";
+        ("it is a directory", Some(help.to_owned()), None)
     } else if error.kind() == io::ErrorKind::NotFound {
-        ("there is no such file".to_owned(), nearest_file(path))
+        ("there is no such file", Some(missing_file(path)), None)
     } else {
-        (error.to_string(), None)
+        ("the system refuses", None, Some(error))
     };
     CaseError::Unreadable {
         path: path.to_owned(),
         reason,
         help,
-        source: Some(error),
+        source,
     }
 }
 
-/// For a file that is missing: the one in the same directory that was probably meant, or the part of
-/// the path that does not exist.
-fn nearest_file(path: &Path) -> Option<String> {
+/// The likely cause of a missing file: another name in the same directory, or a missing directory.
+fn missing_file(path: &Path) -> String {
     let directory = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
     let Ok(entries) = std::fs::read_dir(directory) else {
-        return Some(format!(
-            "the directory `{}` does not exist either",
-            directory.display()
-        ));
+        return format!("there is no directory `{}` either", directory.display());
     };
     let names: Vec<String> = entries
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
         .filter(|name| name.ends_with(".toml"))
         .collect();
-    let wanted = path.file_name()?.to_str()?;
-    let near = translate::nearest(wanted, names.iter().map(String::as_str))?;
-    Some(format!(
-        "did you mean `{}`?",
-        path.with_file_name(near).display()
-    ))
+    let wanted = path.file_name().unwrap_or_default().to_string_lossy();
+    match translate::nearest(&wanted, names.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{}`?", path.with_file_name(near).display()),
+        None => {
+            "a path that does not start at the root counts from the current directory".to_owned()
+        }
+    }
 }
 
 fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> CaseError {

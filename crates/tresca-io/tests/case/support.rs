@@ -1,5 +1,4 @@
 //! A good case file, its variations, and reports without colours at a fixed width.
-#![allow(dead_code)]
 
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use serde::Deserialize;
@@ -68,9 +67,13 @@ pub fn report(text: &str) -> String {
 }
 
 pub fn render(error: &CaseError) -> String {
+    render_in(100, error)
+}
+
+pub fn render_in(width: usize, error: &CaseError) -> String {
     let mut text = String::new();
     GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
-        .with_width(100)
+        .with_width(width)
         .with_links(false)
         .render_report(&mut text, error)
         .unwrap();

@@ -1,9 +1,7 @@
 //! Keys that are wrong: the report names the place and the keys that belong there.
 
-mod support;
-
+use crate::support::{report, with};
 use insta::assert_snapshot;
-use support::{report, with};
 
 #[test]
 fn a_misspelt_key_of_a_material() {

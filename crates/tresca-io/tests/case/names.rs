@@ -1,9 +1,7 @@
 //! Names that nothing answers to, and names given twice.
 
-mod support;
-
+use crate::support::{report, with};
 use insta::assert_snapshot;
-use support::{report, with};
 
 #[test]
 fn a_reference_to_an_unknown_body() {

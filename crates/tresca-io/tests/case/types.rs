@@ -1,9 +1,7 @@
 //! Values of the wrong type, and text that is no TOML.
 
-mod support;
-
+use crate::support::{report, with};
 use insta::assert_snapshot;
-use support::{report, with};
 
 #[test]
 fn a_number_in_quotes() {
@@ -70,7 +68,7 @@ fn a_negative_number_of_nodes() {
      4 │ name = "upper"
      5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, -16, 16] } }
        ·                                                                               ─┬─
-       ·                                                                                ╰── found the whole number -16
+       ·                                                                                ╰── found the number -16
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
     "#);
@@ -105,7 +103,7 @@ fn a_number_for_a_name() {
      3 │ [[body]]
      4 │ name = 7
        ·        ┬
-       ·        ╰── found the whole number 7
+       ·        ╰── found the number 7
      5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, 16, 16] } }
        ╰────
     "#);
@@ -148,7 +146,19 @@ fn four_coordinates() {
 #[test]
 fn a_list_for_a_table() {
     let text = with("{ young = 5.0e4, poisson = 0.277 }", "[5.0e4, 0.277]");
-    assert_snapshot!(report(&text), @"");
+    assert_snapshot!(report(&text), @r#"
+    case::wrong_type
+
+      × expected a table of keys for `material`
+       ╭─[case.toml:6:12]
+     5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, 16, 16] } }
+     6 │ material = [5.0e4, 0.277]
+       ·            ───────┬──────
+       ·                   ╰── found a list
+     7 │
+       ╰────
+      help: a table has braces and names its values: { key = value, … }
+    "#);
 }
 
 #[test]
@@ -162,7 +172,7 @@ fn a_number_for_a_table() {
      5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, 16, 16] } }
      6 │ material = 5.0e4
        ·            ──┬──
-       ·              ╰── found the number 50000.0
+       ·              ╰── found the number 5.0e4
      7 │
        ╰────
     "#);
@@ -196,14 +206,14 @@ fn two_meshes() {
         "nodes = [16, 16, 16] }, brick2 = 3 }",
     );
     assert_snapshot!(report(&text), @r#"
-    case::bad_value
+    case::wrong_type
 
-      × this value cannot be used
+      × one choice is wanted here
        ╭─[case.toml:5:8]
      4 │ name = "upper"
      5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, 16, 16] }, brick2 = 3 }
        ·        ───────────────────────────────────────────────┬──────────────────────────────────────────────
-       ·                                                       ╰── wanted exactly 1 element, more than 1 element
+       ·                                                       ╰── expected exactly one key in this table
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
     "#);
@@ -277,11 +287,10 @@ fn a_decimal_comma() {
      5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, 16, 16] } }
      6 │ material = { young = 5.0e4, poisson = 0,277 }
        ·                                             ▲
-       ·                                             ╰── invalid literal string, expected `'`
+       ·                                             ╰── unexpected behind a comma between digits
      7 │
        ╰────
-      help: keys are written `key = value`, texts stand in "quotes", lists in [brackets] and inline
-            tables in {braces}, each closed; see https://toml.io
+      help: decimals are written with a point, as in 0.277
     "#);
 }
 
@@ -291,14 +300,14 @@ fn a_column_behind_an_umlaut() {
     assert_snapshot!(report(&text), @r#"
     case::bad_reference
 
-      × there is no body `upper`
-        ╭─[case.toml:14:7]
+      × the body `lower` has no face `left`
+        ╭─[case.toml:14:19]
      13 │ [[clamp]]
-     14 │ on = ["upper.x+", "lower.x-"]
-        ·       ─────┬────
-        ·            ╰── expected `body.face` of a body of this file
+     14 │ on = ["größe.x+", "lower.left"]
+        ·                   ──────┬─────
+        ·                         ╰── expected a face of a brick
      15 │
         ╰────
-      help: the bodies of this case are `größe` and `lower`
+      help: the faces of a brick are `x-`, `x+`, `y-`, `y+`, `z-` and `z+`
     "#);
 }
