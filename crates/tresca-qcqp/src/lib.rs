@@ -1,1 +1,55 @@
-//! See the workspace's `docs/architecture.md`.
+//! The dual contact problem and the methods that solve it.
+//!
+//! ```text
+//! min q(λ) = ½ λᵀAλ − λᵀb   over   λ ∈ Λ,      Λ a product of lines, half-lines, intervals and discs
+//! ```
+//!
+//! with A symmetric positive (semi)definite and known by its products alone.
+//! Nothing here knows a mesh: a matrix from a file is as good as two bricks.
+//!
+//! - [`DualProblem`] holds the operator A, the right-hand side b and the set Λ ([`ProductSet`]).
+//! - [`operator`]: the [`DualOperator`] trait, which counts the multiplications n_A, and its engines.
+//! - [`solve`] runs the [`Method`] named in [`Settings`], tells an [`Observer`] about every
+//!   iteration and returns a [`Solution`] whose [`Status`] says how it ended.
+//!
+//! All methods start, measure and stop alike: the reported figure is
+//! ‖r̃(λ)‖/‖r̃(0)‖ at a feasible λ, where r̃(λ) = (λ − P_Λ(λ − ρ r(λ)))/ρ is the
+//! reduced gradient, r(λ) = Aλ − b, P_Λ the projection and ρ = 1/σmax, σmax
+//! estimated by a few Lanczos steps.
+//!
+//! # Symbols
+//!
+//! | in the code | meaning |
+//! |---|---|
+//! | `lambda`, `gradient` | λ and r(λ) = Aλ − b |
+//! | `y` | λ − ρ r(λ), the point that is projected and whose place decides the active set |
+//! | `rho`, `sigma` | ρ and (an upper estimate of) σmax, the largest eigenvalue of A |
+//! | `n_a` | number of multiplications by A |
+//! | `s`, `Z`, `C` | unknowns, basis and curvature of the reduced Newton system (ZᵀAZ + C) s = −Zᵀ(Ax − b) |
+
+mod active_set;
+mod error;
+mod methods;
+mod observe;
+pub mod operator;
+mod problem;
+mod record;
+mod reduced;
+pub mod sets;
+mod settings;
+mod solution;
+mod solve;
+mod spectrum;
+mod status;
+
+pub use active_set::{ActiveSet, StateCounts};
+pub use error::QcqpError;
+pub use observe::{Observer, Silent};
+pub use operator::DualOperator;
+pub use problem::DualProblem;
+pub use record::IterationRecord;
+pub use sets::ProductSet;
+pub use settings::{Engine, InnerSolver, Method, OptionInfo, Settings};
+pub use solution::Solution;
+pub use solve::solve;
+pub use status::Status;

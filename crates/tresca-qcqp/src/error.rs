@@ -1,0 +1,125 @@
+//! What can be wrong with the input.
+
+/// Wrong input to the solver. How a run *ended* is not an error but a
+/// [`Status`](crate::Status).
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum QcqpError {
+    /// Two parts of the problem have different sizes.
+    #[error("{what} has length {found}, but the dual operator has order {expected}")]
+    Dimension {
+        /// Which part.
+        what: &'static str,
+        /// Order of the operator.
+        expected: usize,
+        /// Length found.
+        found: usize,
+    },
+    /// A NaN or an infinity in the input.
+    #[error("{what} holds {value} at index {index}: every entry must be finite")]
+    NotFinite {
+        /// Which part.
+        what: &'static str,
+        /// Position, counted from 0.
+        index: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// The blocks of a product set leave an unknown out or claim it twice.
+    #[error("unknown {index} belongs to {found} blocks of the feasible set: exactly one is needed")]
+    Cover {
+        /// The unknown, counted from 0.
+        index: usize,
+        /// How many blocks claim it.
+        found: usize,
+    },
+    /// A block reaches beyond the last unknown.
+    #[error("block {block} of the feasible set reaches beyond the last of {dimension} unknowns")]
+    BlockRange {
+        /// The block, counted from 0.
+        block: usize,
+        /// Number of unknowns.
+        dimension: usize,
+    },
+    /// A bound (slip bound of a disc or an interval) is negative or not finite.
+    #[error("the bound of block {block} is {value}: it must be finite and not negative")]
+    Bound {
+        /// The block, counted from 0.
+        block: usize,
+        /// The bound.
+        value: f64,
+    },
+    /// A setting outside its range.
+    #[error("setting `{name}` is {value}, allowed is {allowed}")]
+    Setting {
+        /// Key of the setting.
+        name: &'static str,
+        /// Its value.
+        value: String,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// A word that names no choice.
+    #[error("`{found}` is no {what}: expected one of {allowed}")]
+    Choice {
+        /// What is chosen.
+        what: &'static str,
+        /// The word.
+        found: String,
+        /// The known words.
+        allowed: String,
+    },
+    /// The operator is the zero matrix.
+    #[error(
+        "the dual operator maps a random vector to zero: no constraint row touches an elastic body"
+    )]
+    ZeroOperator,
+    /// The operator is not symmetric.
+    #[error(
+        "the dual operator is not symmetric: relative asymmetry {asymmetry:.1e} in its products"
+    )]
+    NotSymmetric {
+        /// max |xᵀAy − yᵀAx| over the products seen, relative to σmax.
+        asymmetry: f64,
+    },
+    /// The operator has a negative eigenvalue.
+    #[error(
+        "the dual operator is not positive semidefinite: xᵀAx = {curvature:.3e} σmax for a unit vector x"
+    )]
+    NotPositive {
+        /// The negative Rayleigh quotient relative to σmax.
+        curvature: f64,
+    },
+    /// The operator returned a NaN or an infinity for a finite vector.
+    #[error("the dual operator returned {value} at index {index} for a finite vector")]
+    OperatorNotFinite {
+        /// Position, counted from 0.
+        index: usize,
+        /// The entry.
+        value: f64,
+    },
+}
+
+/// Checks that `values` has length `expected` and holds finite numbers only.
+pub(crate) fn check_vector(
+    what: &'static str,
+    values: &[f64],
+    expected: usize,
+) -> Result<(), QcqpError> {
+    if values.len() != expected {
+        let found = values.len();
+        return Err(QcqpError::Dimension {
+            what,
+            expected,
+            found,
+        });
+    }
+    match values.iter().position(|v| !v.is_finite()) {
+        Some(index) => Err(QcqpError::NotFinite {
+            what,
+            index,
+            value: values[index],
+        }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,162 @@
+//! GRSSN: the reduced semismooth Newton method, globalised.
+//!
+//! From the projected gradient point x = P_Λ(λ − ρ r(λ)) a Newton step that
+//! keeps the curvature of the slip circles; its system is symmetric positive
+//! definite (see `reduced`), so one preconditioned CG per step suffices, and
+//! convergence is superlinear. The step counts only if it does not raise q above
+//! q(x); x itself has the guarantee of GIMSSN: globally R-linear.
+
+use super::inner::{Move, conjugate_gradients, direct};
+use super::preconditioner::Preconditioner;
+use super::recycle::RecycledProducts;
+use super::run::Step;
+use super::{Point, Run};
+use crate::operator::LocalModel;
+use crate::reduced::ReducedSpace;
+use crate::sets::ProductSet;
+use crate::spectrum::Spectrum;
+use crate::{ActiveSet, Status};
+use tresca_la::vector::{dot, norm};
+
+/// Halvings of the Newton step before the projected gradient step is made.
+const MAX_HALVINGS: usize = 3;
+/// Part of the last reduction of the reduced gradient that the next inner system is solved to.
+const FORCING_RATIO: f64 = 0.5;
+/// Part of the wanted reduced gradient below which an inner residual is of no use.
+const OVERSOLVING: f64 = 0.3;
+
+pub(super) fn run(run: &mut Run, spectrum: &Spectrum, start: Point) -> Status {
+    let model = calibrated_model(run, spectrum);
+    let mut recycled = RecycledProducts::new(run.settings.recycled_directions);
+    for (v, product) in spectrum.basis.iter().zip(&spectrum.products) {
+        recycled.offer(v, product);
+    }
+    let mut previous = f64::INFINITY;
+    let mut lambda = start;
+    let mut step = Step::START;
+    loop {
+        if let Some(status) = run.judge(&lambda, step) {
+            return status;
+        }
+        let (x, active) = projected_gradient_point(run, &lambda);
+        let space = tangent_space(run.set, &active, &x);
+        let mut newton = x.clone();
+        let inner = if direct(run, &space, &mut newton) {
+            1
+        } else {
+            let mut preconditioner = Preconditioner::new(&space, &model, &recycled);
+            let tolerance = forcing(run, previous) * run.relative * run.reference;
+            let keep = |_: &Point, step: &Move| {
+                recycled.offer(step.direction, step.product);
+                true
+            };
+            conjugate_gradients(
+                run,
+                &space,
+                &mut preconditioner,
+                &mut newton,
+                tolerance,
+                keep,
+            )
+        };
+        previous = run.relative;
+        let (next, length) = search(run, &lambda, x, &newton);
+        lambda = next;
+        step = Step {
+            inner_iterations: inner,
+            length,
+        };
+    }
+}
+
+/// The operator's model of itself, scaled to fit A on the first Lanczos vector.
+fn calibrated_model(run: &Run, spectrum: &Spectrum) -> LocalModel {
+    let model = run.operator.local_model();
+    let (v, product) = (&spectrum.basis[0], &spectrum.products[0]);
+    let theta = dot(v, product) / model.quadratic(v);
+    model.scaled(theta)
+}
+
+/// x = P_Λ(y) and the active set at y = λ − ρ r(λ).
+///
+/// q(x) ≤ q(λ) as long as ρ ≤ 2/σmax. The estimate of σmax is an upper bound
+/// but for bad luck; when q rises, luck was bad, and ρ is halved for good.
+fn projected_gradient_point(run: &mut Run, lambda: &Point) -> (Point, ActiveSet) {
+    loop {
+        let mut y = run.y(lambda);
+        let active = run.set.classify(&y);
+        run.set.project(&mut y);
+        let x = run.point_unless(y, lambda);
+        // Negated so that a NaN ends the loop.
+        if !(x.objective_change_from(lambda) > rounding(run, lambda, &x)) {
+            return (x, active);
+        }
+        run.rho *= 0.5;
+    }
+}
+
+/// Z and C at x, where slipping pairs are on their circles: c̃ = max(−n̂ᵀr, 0)/g
+/// with the normal n̂ = x/g, the slip per friction force there.
+fn tangent_space(set: &ProductSet, active: &ActiveSet, x: &Point) -> ReducedSpace {
+    let Point { lambda, gradient } = x;
+    ReducedSpace::with_tangents(set, active, lambda, |i, bound| {
+        let radial = (lambda[i] * gradient[i] + lambda[i + 1] * gradient[i + 1]) / bound;
+        f64::max(-radial / bound, 0.0)
+    })
+}
+
+/// η: the inner residual relative to the current reduced gradient, after Eisenstat
+/// and Walker; never finer than the tolerance of the run can notice.
+fn forcing(run: &Run, previous: f64) -> f64 {
+    // In the first step nothing is known of the rate.
+    let rate = if previous.is_finite() {
+        run.relative / previous
+    } else {
+        f64::INFINITY
+    };
+    let wanted = f64::min(run.settings.forcing, FORCING_RATIO * rate);
+    wanted.max(OVERSOLVING * run.settings.tolerance / run.relative)
+}
+
+/// The first of P_Λ(x + α(newton − x)), α = 1, ½, …, that does not raise q above
+/// q(x), with its α; else x, with α = 0.
+fn search(run: &mut Run, lambda: &Point, x: Point, newton: &Point) -> (Point, f64) {
+    let mut alpha = 1.0;
+    for _ in 0..=MAX_HALVINGS {
+        let trial = run.projected(&blend(&x, newton, alpha));
+        if trial.objective_change_from(&x) <= rounding(run, lambda, &trial) {
+            return (trial, alpha);
+        }
+        alpha *= 0.5;
+    }
+    (x, 0.0)
+}
+
+/// x + α (newton − x), gradient included.
+fn blend(x: &Point, newton: &Point, alpha: f64) -> Point {
+    if alpha == 1.0 {
+        return newton.clone();
+    }
+    let mix = |x: &[f64], newton: &[f64]| {
+        x.iter()
+            .zip(newton)
+            .map(|(x, n)| x + alpha * (n - x))
+            .collect::<Vec<_>>()
+    };
+    Point {
+        lambda: mix(&x.lambda, &newton.lambda),
+        gradient: mix(&x.gradient, &newton.gradient),
+    }
+}
+
+/// What a computed change of q from `lambda` to `trial` may be wrong by. The part
+/// in |λ|ᵀ|r| is needed: a projected pair is on its circle to rounding only, which
+/// moves q by more than a step does once the reduced gradient is below 1e-8.
+fn rounding(run: &Run, lambda: &Point, trial: &Point) -> f64 {
+    let (mut moved, mut size) = (0.0, 0.0);
+    for (i, l) in lambda.lambda.iter().enumerate() {
+        moved += (trial.lambda[i] - l).powi(2);
+        size += (l * lambda.gradient[i]).abs();
+    }
+    f64::EPSILON * (16.0 * moved.sqrt() * norm(run.rhs) + 32.0 * size)
+}

@@ -1,0 +1,190 @@
+//! Λ: the product of the blocks.
+
+use super::{BlockState, ConvexSet, Disc, HalfLine, Interval, Line};
+use crate::{ActiveSet, QcqpError};
+use std::ops::Range;
+
+/// One factor of the product.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BlockSet {
+    /// ℝ.
+    Line(Line),
+    /// [0, ∞).
+    HalfLine(HalfLine),
+    /// [−g, g].
+    Interval(Interval),
+    /// ‖x‖ ≤ g in ℝ².
+    Disc(Disc),
+}
+
+impl BlockSet {
+    /// The set as an object.
+    fn geometry(&self) -> &dyn ConvexSet {
+        match self {
+            BlockSet::Line(set) => set,
+            BlockSet::HalfLine(set) => set,
+            BlockSet::Interval(set) => set,
+            BlockSet::Disc(set) => set,
+        }
+    }
+
+    /// The bound g of an interval or a disc.
+    pub fn bound(&self) -> Option<f64> {
+        match *self {
+            BlockSet::Interval(Interval { bound }) | BlockSet::Disc(Disc { bound }) => Some(bound),
+            BlockSet::Line(_) | BlockSet::HalfLine(_) => None,
+        }
+    }
+}
+
+impl ConvexSet for BlockSet {
+    fn dimension(&self) -> usize {
+        self.geometry().dimension()
+    }
+    fn project(&self, y: &mut [f64]) {
+        self.geometry().project(y);
+    }
+    fn contains(&self, x: &[f64]) -> bool {
+        self.geometry().contains(x)
+    }
+    fn classify(&self, y: &[f64]) -> BlockState {
+        self.geometry().classify(y)
+    }
+    fn slant(&self, y: &[f64], h: &mut [f64]) {
+        self.geometry().slant(y, h);
+    }
+}
+
+/// A factor and where its components stand in λ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Block {
+    /// Index of its first component; a disc's second one follows.
+    pub start: usize,
+    /// The set.
+    pub set: BlockSet,
+}
+
+impl Block {
+    /// Its components.
+    pub fn range(&self) -> Range<usize> {
+        self.start..self.start + self.set.dimension()
+    }
+}
+
+/// Λ = product of blocks; every unknown belongs to exactly one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProductSet {
+    dimension: usize,
+    blocks: Vec<Block>,
+}
+
+impl ProductSet {
+    /// The product of `blocks` in ℝ^`dimension`, in any order.
+    ///
+    /// # Errors
+    /// When an unknown is left out or claimed twice, or a bound is negative or not finite.
+    pub fn new(dimension: usize, blocks: Vec<Block>) -> Result<Self, QcqpError> {
+        let mut claims = vec![0_usize; dimension];
+        for (number, block) in blocks.iter().enumerate() {
+            if let Some(value) = block.set.bound() {
+                check_bound(number, value)?;
+            }
+            let claimed = claims.get_mut(block.range());
+            let claimed = claimed.ok_or(QcqpError::BlockRange {
+                block: number,
+                dimension,
+            })?;
+            claimed.iter_mut().for_each(|n| *n += 1);
+        }
+        match claims.iter().position(|&n| n != 1) {
+            Some(index) => Err(QcqpError::Cover {
+                index,
+                found: claims[index],
+            }),
+            None => Ok(Self { dimension, blocks }),
+        }
+    }
+
+    /// Contact in three dimensions with slip bounds g (forces, one per pair):
+    /// λ = [λν (m); λτ (2m, the two components of a pair adjacent)], m half-lines, then m discs.
+    ///
+    /// # Errors
+    /// When a bound is negative or not finite.
+    pub fn contact_3d(bounds: &[f64]) -> Result<Self, QcqpError> {
+        let m = bounds.len();
+        let normals = (0..m).map(|start| Block {
+            start,
+            set: BlockSet::HalfLine(HalfLine),
+        });
+        let tangents = bounds.iter().enumerate().map(|(i, &bound)| Block {
+            start: m + 2 * i,
+            set: BlockSet::Disc(Disc { bound }),
+        });
+        Self::new(3 * m, normals.chain(tangents).collect())
+    }
+
+    /// Contact in two dimensions: λ = [λν (m); λτ (m)], m half-lines, then m intervals.
+    ///
+    /// # Errors
+    /// When a bound is negative or not finite.
+    pub fn contact_2d(bounds: &[f64]) -> Result<Self, QcqpError> {
+        let m = bounds.len();
+        let normals = (0..m).map(|start| Block {
+            start,
+            set: BlockSet::HalfLine(HalfLine),
+        });
+        let tangents = bounds.iter().enumerate().map(|(i, &bound)| Block {
+            start: m + i,
+            set: BlockSet::Interval(Interval { bound }),
+        });
+        Self::new(2 * m, normals.chain(tangents).collect())
+    }
+
+    /// Number of unknowns.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The blocks, in the order given.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// y ← P_Λ(y).
+    pub fn project(&self, y: &mut [f64]) {
+        for block in &self.blocks {
+            block.set.project(&mut y[block.range()]);
+        }
+    }
+
+    /// Whether x ∈ Λ, up to the rounding of [`project`](Self::project).
+    pub fn contains(&self, x: &[f64]) -> bool {
+        self.blocks
+            .iter()
+            .all(|block| block.set.contains(&x[block.range()]))
+    }
+
+    /// The state of every block at y = λ − ρ r(λ).
+    pub fn classify(&self, y: &[f64]) -> ActiveSet {
+        let states = self
+            .blocks
+            .iter()
+            .map(|block| block.set.classify(&y[block.range()]));
+        ActiveSet::new(&self.blocks, states.collect())
+    }
+
+    /// h ← G(y) h, G the slanting function of P_Λ.
+    pub fn slant(&self, y: &[f64], h: &mut [f64]) {
+        for block in &self.blocks {
+            block.set.slant(&y[block.range()], &mut h[block.range()]);
+        }
+    }
+}
+
+fn check_bound(block: usize, value: f64) -> Result<(), QcqpError> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(QcqpError::Bound { block, value })
+    }
+}

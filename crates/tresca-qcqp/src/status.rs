@@ -1,0 +1,48 @@
+//! How a run ended.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// How a run ended. Only [`Status::Converged`] is a solution; with every other
+/// status the returned λ is the best feasible iterate seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Status {
+    /// The relative reduced gradient is at or below the tolerance.
+    Converged,
+    /// `max_iterations` were made.
+    IterationLimit,
+    /// Neither the reduced gradient nor the objective has improved for many
+    /// iterations: a cycle, or the tolerance is below what rounding allows.
+    Stagnated,
+    /// The observer asked to stop.
+    Interrupted,
+    /// An iterate is no longer finite: the method diverged, or the operator
+    /// returned a NaN.
+    Diverged,
+}
+
+impl Status {
+    /// Whether λ solves the problem to the tolerance.
+    pub fn is_converged(self) -> bool {
+        self == Status::Converged
+    }
+
+    /// The word used in files and on the terminal.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Converged => "converged",
+            Status::IterationLimit => "iteration_limit",
+            Status::Stagnated => "stagnated",
+            Status::Interrupted => "interrupted",
+            Status::Diverged => "diverged",
+        }
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
