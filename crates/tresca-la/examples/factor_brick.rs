@@ -136,9 +136,9 @@ fn spring_brick(s: usize) -> SymmetricMatrix {
         let node = free(x, y, z);
         neighbours.sort_by_key(|n| n.0);
         for b in 0..3 {
-            for a in b..3 {
+            for (a, row) in own.iter().enumerate().skip(b) {
                 rows.push(3 * node + a);
-                values.push(own[a][b]);
+                values.push(row[b]);
             }
             for (other, spring) in neighbours.iter().filter(|n| n.0 > node) {
                 for (a, row) in spring.iter().enumerate() {

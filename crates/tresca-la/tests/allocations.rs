@@ -65,7 +65,6 @@ fn loops_do_not_allocate() {
         for size in [n, n / 2] {
             cg.start(&b[..size]);
             let mut chain = Chain(size);
-            let mut preconditioner = &mut preconditioner;
             for _ in 0..10 {
                 let proposal = cg.propose(&mut chain, &mut Cut(&mut preconditioner, size));
                 assert!(matches!(proposal, Proposal::Step { .. }));

@@ -103,6 +103,22 @@ fn nested_dissection_keeps_the_factor_sparse() {
 }
 
 #[test]
+fn trailing_faces_are_cut_off_first_where_that_pays() {
+    // Operations with the face z = 0 last, over those of the plain ordering.
+    let ratio = |nodes: [usize; 3]| {
+        let matrix = grid(nodes, 1, 18);
+        let face: Vec<usize> = (0..nodes[0] * nodes[1]).collect();
+        factor(&matrix, &face).flops() / factor(&matrix, &[]).flops()
+    };
+    // Dissection that knows nothing of the face takes 1.72 here.
+    let brick = ratio([14, 14, 14]);
+    assert!(brick < 1.65, "{brick}");
+    // Cut parallel to the face, this plate would take 7.6.
+    let plate = ratio([20, 20, 7]);
+    assert!(plate < 3.5, "{plate}");
+}
+
+#[test]
 fn wrong_trailing_dofs_are_named() {
     let matrix = grid([3, 3, 1], 1, 8);
     let out = Ordering::nested_dissection_with_trailing(&matrix, &[1, 9]);

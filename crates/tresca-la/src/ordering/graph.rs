@@ -13,6 +13,7 @@ pub(super) struct Graph {
     groups: Vec<Range<usize>>,
     offsets: Vec<usize>,
     neighbours: Vec<usize>,
+    touches_left_out: Vec<bool>,
 }
 
 impl Graph {
@@ -31,9 +32,20 @@ impl Graph {
             group_of[dof] = groups.len() - 1;
         }
 
+        let lower = matrix.lower();
+        let mut touches_left_out = vec![false; groups.len()];
+        for column in 0..order {
+            for row in lower.row_idx_of_col(column) {
+                match (group_of[row], group_of[column]) {
+                    (NONE, NONE) => {}
+                    (NONE, g) | (g, NONE) => touches_left_out[g] = true,
+                    _ => {}
+                }
+            }
+        }
+
         // All dofs of a group have the same neighbours: its first column tells them
         // below, and above they are found from the first columns of the groups there.
-        let lower = matrix.lower();
         let edges = || {
             groups.iter().enumerate().flat_map(|(g, dofs)| {
                 let group_of = &group_of;
@@ -68,7 +80,13 @@ impl Graph {
             groups,
             offsets,
             neighbours,
+            touches_left_out,
         }
+    }
+
+    /// Number of groups.
+    pub(super) fn len(&self) -> usize {
+        self.groups.len()
     }
 
     /// The dofs of a group, ascending.
@@ -76,20 +94,42 @@ impl Graph {
         self.groups[group].clone()
     }
 
-    fn neighbours_of(&self, group: usize) -> &[usize] {
+    /// Whether a dof of the group couples to a dof that was left out.
+    pub(super) fn touches_left_out(&self, group: usize) -> bool {
+        self.touches_left_out[group]
+    }
+
+    pub(super) fn neighbours_of(&self, group: usize) -> &[usize] {
         &self.neighbours[self.offsets[group]..self.offsets[group + 1]]
     }
 
-    /// The groups in nested dissection order.
-    pub(super) fn dissect(&self) -> Result<Vec<usize>, OrderingError> {
-        let entries = self.neighbours.len().max(self.offsets.len());
-        if idx_t::try_from(entries).is_err() {
-            return Err(OrderingError::TooLarge { entries });
+    /// Nested dissection order of the given groups alone.
+    pub(super) fn dissect(&self, groups: &[usize]) -> Result<Vec<usize>, OrderingError> {
+        // Number of a group among the given ones, or NONE; in range, as there
+        // are at most as many as dofs in the matrix, checked below.
+        const NONE: idx_t = -1;
+        let entries: usize = groups.iter().map(|&g| self.neighbours_of(g).len()).sum();
+        let largest = entries.max(self.groups.last().map_or(0, |last| last.end));
+        if idx_t::try_from(largest).is_err() {
+            return Err(OrderingError::TooLarge { entries: largest });
         }
-        // In range: every value is at most `entries`, or a number of dofs in a group.
-        let narrow = |v: &[usize]| v.iter().map(|&v| v as idx_t).collect::<Vec<_>>();
-        let weights: Vec<_> = self.groups.iter().map(|g| g.len() as idx_t).collect();
-        metis::node_nested_dissection(&narrow(&self.offsets), &narrow(&self.neighbours), &weights)
+        let mut number = vec![NONE; self.len()];
+        for (new, &g) in groups.iter().enumerate() {
+            number[g] = new as idx_t;
+        }
+        let mut offsets = vec![0];
+        let mut adjacency = Vec::with_capacity(entries);
+        for &g in groups {
+            let neighbours = self.neighbours_of(g).iter().map(|&h| number[h]);
+            adjacency.extend(neighbours.filter(|&h| h != NONE));
+            offsets.push(adjacency.len() as idx_t);
+        }
+        let weights: Vec<_> = groups
+            .iter()
+            .map(|&g| self.groups[g].len() as idx_t)
+            .collect();
+        let order = metis::node_nested_dissection(&offsets, &adjacency, &weights)?;
+        Ok(order.into_iter().map(|v| groups[v]).collect())
     }
 
     /// The same elimination, with every subtree of the elimination tree numbered
@@ -136,8 +176,8 @@ impl Graph {
         let mut parent = vec![NONE; count];
         // Shortcut to a far ancestor seen so far, with path compression.
         let mut ancestor = vec![NONE; count];
-        for v in 0..count {
-            for &neighbour in self.neighbours_of(order[v]) {
+        for (v, &group) in order.iter().enumerate() {
+            for &neighbour in self.neighbours_of(group) {
                 let mut u = position[neighbour];
                 while u < v && ancestor[u] != v {
                     let next = ancestor[u];

@@ -6,10 +6,12 @@
 //! largest supernodes.
 
 mod graph;
+mod layers;
 mod metis;
 
 use crate::SymmetricMatrix;
 use graph::Graph;
+use layers::Layers;
 use thiserror::Error;
 
 /// Why no ordering was made.
@@ -91,7 +93,15 @@ impl Ordering {
             }
         }
         let graph = Graph::compressed(matrix, &is_trailing);
-        let groups = graph.dissect()?;
+        let groups = match Layers::of(&graph) {
+            Some(Layers { far, near, cut }) => {
+                let mut groups = graph.dissect(&far)?;
+                groups.extend(graph.dissect(&near)?);
+                groups.extend(cut);
+                groups
+            }
+            None => graph.dissect(&(0..graph.len()).collect::<Vec<_>>())?,
+        };
         let mut to_original = Vec::with_capacity(order);
         for group in graph.postordered(groups) {
             to_original.extend(graph.dofs_of(group));

@@ -97,8 +97,9 @@ for_each_isa! {
 
 for_each_isa! {
     /// Pᵀ y for the panel P of tiles, one chunk of y per tile.
+    // Not AVX-512: from memory it reaches two thirds of the rate of AVX2.
     transposed_product = transposed_product_loop(tiles: &[Tile], y: &[Chunk]) -> Chunk,
-    "avx512f,avx2,fma"
+    "avx2,fma"
 }
 
 for_each_isa! {

@@ -215,11 +215,10 @@ fn forward_substitute(tile: &Tile, x: &mut Chunk, size: usize) {
 /// x ← T⁻ᵀ x with the lower triangle of the first `size` rows and columns of T.
 fn backward_substitute(tile: &Tile, x: &mut Chunk, size: usize) {
     for k in (0..size).rev() {
-        let mut sum = x[k];
-        for i in k + 1..size {
-            sum -= tile.0[k][i] * x[i];
-        }
-        x[k] = sum / tile.0[k][k];
+        let column = &tile.0[k];
+        let below = column[k + 1..size].iter().zip(&x[k + 1..size]);
+        let sum: f64 = below.map(|(a, x)| a * x).sum();
+        x[k] = (x[k] - sum) / column[k];
     }
 }
 
