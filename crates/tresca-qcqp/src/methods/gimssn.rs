@@ -21,12 +21,12 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         if let Some(status) = run.judge(&x, step) {
             return status;
         }
+        let tolerance = precision.next(run, &x);
         let mut y = run.y(&x);
         let active = run.set.classify(&y);
         let space = ReducedSpace::free(run.set, &active);
         run.set.project(&mut y);
         x = run.point_unless(y, &x);
-        let tolerance = precision.next(run);
         let set = run.set;
         let stays_inside = |x: &Point, step: &Move| {
             let trial = x

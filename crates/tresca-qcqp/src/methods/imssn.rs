@@ -1,14 +1,15 @@
 //! IMSSN: MSSN with CG of adaptive precision.
 
-use super::inner::conjugate_gradients;
+use super::inner::{conjugate_gradients, full_accuracy};
 use super::run::Step;
 use super::{Point, Run};
 use crate::reduced::ReducedSpace;
 use crate::{Settings, Status};
 use tresca_la::krylov::Identity;
 
-/// The falling tolerance of IMSSN and GIMSSN, relative to ‖r̃(0)‖:
-/// tol⁰ = r_tol/c_fact, tol^{k+1} = min(r_tol · errᵏ/err⁰, c_fact · tolᵏ).
+/// The falling tolerance of IMSSN and GIMSSN, relative to err⁰:
+/// tol⁰ = r_tol/c_fact, tol^{k+1} = min(r_tol · errᵏ/err⁰, c_fact · tolᵏ), with
+/// errᵏ = ‖r̃_ρ(λᵏ)‖ at the method's own ρ.
 pub(super) struct AdaptivePrecision {
     tolerance: f64,
     first: Option<f64>,
@@ -22,13 +23,15 @@ impl AdaptivePrecision {
         }
     }
 
-    /// The next tolerance, absolute, after the last judged iterate.
-    pub fn next(&mut self, run: &Run) -> f64 {
-        // err⁰ is that of the start, so that a good start is not solved to the accuracy of a bad one.
-        let first = *self.first.get_or_insert(run.relative);
+    /// The next tolerance, absolute, at the iterate λᵏ.
+    pub fn next(&mut self, run: &Run, iterate: &Point) -> f64 {
+        let error = run.reduced_gradient_norm(iterate);
+        let first = *self.first.get_or_insert(error);
         let Settings { r_tol, c_fact, .. } = *run.settings;
-        self.tolerance = f64::min(r_tol * run.relative / first, c_fact * self.tolerance);
-        self.tolerance * first * run.reference
+        self.tolerance = f64::min(r_tol * error / first, c_fact * self.tolerance);
+        // The tail is linear and long, the tolerance falls geometrically: unchecked, it would end
+        // far below what the run is asked for.
+        f64::max(self.tolerance * first, full_accuracy(run))
     }
 }
 
@@ -42,12 +45,12 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         if let Some(status) = run.judge(&feasible, step) {
             return status;
         }
+        let tolerance = precision.next(run, &x);
         let y = run.y(&x);
         let active = run.set.classify(&y);
         let space = ReducedSpace::free(run.set, &active);
         let fixed = run.with_bound_blocks_fixed(&x.lambda, &active, &y);
         x = run.point_unless(fixed, &x);
-        let tolerance = precision.next(run);
         let identity = &mut Identity(space.dim());
         step = Step::full(conjugate_gradients(
             run,

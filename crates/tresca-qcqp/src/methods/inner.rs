@@ -90,12 +90,9 @@ pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool
     true
 }
 
-/// The residual that "solved to full accuracy" means for ssn and mssn.
+/// The residual (absolute) that "solved to full accuracy" means.
 pub(super) fn full_accuracy(run: &Run) -> f64 {
-    let relative = run
-        .settings
-        .inner_tolerance
-        .min(0.1 * run.settings.tolerance);
+    let relative = run.settings.inner_tolerance * run.settings.tolerance;
     // Below this the product with A is rounding.
     let floor = 4.0 * f64::EPSILON * norm(run.rhs);
     (relative * run.reference).max(floor)

@@ -99,8 +99,10 @@ impl<'a> Run<'a> {
         observer: &'a mut dyn Observer,
     ) -> Self {
         let n_a_setup = *operator.counter() - n_a_before;
-        let zero = vec![0.0; rhs.len()];
-        let negative_rhs: Vec<f64> = rhs.iter().map(|b| -b).collect();
+        let zero = Point {
+            lambda: vec![0.0; rhs.len()],
+            gradient: rhs.iter().map(|b| -b).collect(),
+        };
         let sigma = spectrum.sigma;
         Self {
             operator,
@@ -109,7 +111,7 @@ impl<'a> Run<'a> {
             settings,
             sigma,
             rho: settings.rho / sigma,
-            reference: reduced_gradient_norm(set, &zero, &negative_rhs, 1.0 / sigma),
+            reference: reduced_gradient(set, &zero, 1.0 / sigma).0,
             relative: f64::INFINITY,
             observer,
             records: Vec::new(),
@@ -148,16 +150,24 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// P_Λ of the point.
+    /// P_Λ of the point; the point itself, for no multiplication, when it is feasible up to rounding.
     pub fn projected(&mut self, point: &Point) -> Point {
+        if self.set.contains(&point.lambda) {
+            return point.clone();
+        }
         let mut lambda = point.lambda.clone();
         self.set.project(&mut lambda);
-        self.point_unless(lambda, point)
+        self.point(lambda)
     }
 
     /// y = λ − ρ r(λ) with the method's ρ.
     pub fn y(&self, point: &Point) -> Vec<f64> {
         gradient_step(point, self.rho)
+    }
+
+    /// ‖r̃_ρ(λ)‖ with the method's own ρ, at a λ that need not be feasible.
+    pub fn reduced_gradient_norm(&self, point: &Point) -> f64 {
+        reduced_gradient(self.set, point, self.rho).0
     }
 
     /// λ with the bound blocks replaced by their projection: 0 where open, the bound where slipping.
@@ -180,9 +190,7 @@ impl<'a> Run<'a> {
 
     /// Records the feasible `point`, tells the observer, and says whether the run is over.
     pub fn judge(&mut self, point: &Point, step: Step) -> Option<Status> {
-        let y = gradient_step(point, 1.0 / self.sigma);
-        let active = self.set.classify(&y);
-        let norm = projected_distance(self.set, &point.lambda, y) * self.sigma;
+        let (norm, active) = reduced_gradient(self.set, point, 1.0 / self.sigma);
         let relative = norm / self.reference;
         let objective = objective(point, self.rhs);
         if !relative.is_finite() || !objective.is_finite() {
@@ -324,21 +332,25 @@ pub(crate) fn gradient_step(point: &Point, rho: f64) -> Vec<f64> {
         .collect()
 }
 
-/// ‖λ − P_Λ(y)‖.
-fn projected_distance(set: &ProductSet, lambda: &[f64], mut y: Vec<f64>) -> f64 {
-    set.project(&mut y);
-    axpy(-1.0, lambda, &mut y);
-    norm(&y)
-}
-
-/// ‖r̃_ρ(λ)‖ = ‖λ − P_Λ(λ − ρ r)‖/ρ.
-fn reduced_gradient_norm(set: &ProductSet, lambda: &[f64], gradient: &[f64], rho: f64) -> f64 {
-    let y = lambda
-        .iter()
-        .zip(gradient)
-        .map(|(l, r)| l - rho * r)
-        .collect();
-    projected_distance(set, lambda, y) / rho
+/// ‖r̃_ρ(λ)‖ = ‖λ − P_Λ(y)‖/ρ and the active set, both at y = λ − ρ r. On free blocks r̃ is r
+/// itself, which spares the cancellation in λ − y.
+fn reduced_gradient(set: &ProductSet, point: &Point, rho: f64) -> (f64, ActiveSet) {
+    let mut reduced = gradient_step(point, rho);
+    let active = set.classify(&reduced);
+    for (block, state) in set.blocks().iter().zip(active.states()) {
+        let range = block.range();
+        let own = &mut reduced[range.clone()];
+        match state {
+            BlockState::Free => own.copy_from_slice(&point.gradient[range]),
+            BlockState::Bound => {
+                block.set.project(own);
+                for (own, lambda) in own.iter_mut().zip(&point.lambda[range]) {
+                    *own = (lambda - *own) / rho;
+                }
+            }
+        }
+    }
+    (norm(&reduced), active)
 }
 
 /// q(λ) = ½ λᵀ(r − b).

@@ -1,0 +1,221 @@
+//! All methods against each other, against Clarabel, and against closed forms.
+
+mod common;
+
+use common::problems::{KINDS, Kind, random, rng};
+use common::{Plain, distance, norm, oracle, settings};
+use tresca_qcqp::{InnerSolver, Method, ProductSet, Settings, Solution, Status};
+
+const GLOBAL: [Method; 3] = [Method::Gimssn, Method::Grssn, Method::Apgd];
+
+/// Whether a method must converge, and not only be right if it does.
+fn must_converge(method: Method, condition: f64) -> bool {
+    GLOBAL.contains(&method) || condition <= 10.0
+}
+
+fn assert_solves(plain: &Plain, solution: &Solution, tolerance: f64, what: &str) {
+    assert_eq!(solution.status, Status::Converged, "{what}");
+    assert!(plain.set.contains(&solution.lambda), "{what}: not feasible");
+    let seen = plain.relative_reduced_gradient(&solution.lambda, 1.0 / solution.sigma_max);
+    let floor = 1e-13 * norm(&plain.b);
+    assert!(
+        seen <= 1.01 * tolerance + floor,
+        "{what}: reduced gradient {seen:.2e}"
+    );
+    assert!(
+        (seen - solution.relative_reduced_gradient).abs() <= 1e-3 * tolerance + floor,
+        "{what}"
+    );
+}
+
+#[test]
+fn every_method_finds_the_minimiser_of_the_conic_solver() {
+    let tolerance = 1e-9;
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        for condition in [1e1, 1e3] {
+            let plain = random(kind, 12, condition, 7 + seed as u64);
+            let reference = oracle::minimiser(&plain);
+            let scale = norm(&reference).max(1.0);
+            for &method in Method::ALL {
+                let what = format!("{method}, {kind:?}, condition {condition:.0e}");
+                let solution = plain.solve(&settings(method, tolerance), None);
+                if solution.status != Status::Converged {
+                    assert!(
+                        !must_converge(method, condition),
+                        "{what}: {}",
+                        solution.status
+                    );
+                    continue;
+                }
+                if kind != Kind::AllOpen {
+                    assert_solves(&plain, &solution, tolerance, &what);
+                }
+                let off = distance(&solution.lambda, &reference) / scale;
+                assert!(off <= 1e-8 * condition, "{what}: off by {off:.2e}");
+                let gap = plain.objective(&solution.lambda) - plain.objective(&reference);
+                assert!(
+                    gap.abs() <= 1e-9 * scale * norm(&plain.b),
+                    "{what}: objective off by {gap:.2e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn global_methods_solve_ill_conditioned_problems_from_any_start() {
+    for (seed, kind) in KINDS.into_iter().enumerate() {
+        let plain = random(kind, 8, 1e5, 40 + seed as u64);
+        for scale in [0.0, 1.0, 1e3] {
+            let mut start = common::problems::normals(&mut rng(seed as u64), plain.dim());
+            start.iter_mut().for_each(|s| *s *= scale);
+            for method in [Method::Grssn, Method::Apgd] {
+                let solution = plain.solve(&settings(method, 1e-8), Some(&start));
+                let what = format!("{method}, {kind:?}, start of size {scale}");
+                if kind != Kind::AllOpen {
+                    assert_solves(&plain, &solution, 1e-8, &what);
+                } else {
+                    assert_eq!(solution.status, Status::Converged, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn newton_methods_need_few_steps_and_less_than_the_gradient_method() {
+    for seed in 0..6 {
+        let plain = random(Kind::Mixed, 20, 1e3, 100 + seed);
+        let newton = plain.solve(&settings(Method::Grssn, 1e-10), None);
+        let gradient = plain.solve(
+            &Settings {
+                inner_solver: InnerSolver::Iterative,
+                ..settings(Method::Apgd, 1e-10)
+            },
+            None,
+        );
+        assert!(newton.iterations <= 15, "{} steps", newton.iterations);
+        assert!(
+            newton.n_a < gradient.n_a,
+            "{} and {} products",
+            newton.n_a,
+            gradient.n_a
+        );
+        let iterative = Settings {
+            inner_solver: InnerSolver::Iterative,
+            ..settings(Method::Grssn, 1e-10)
+        };
+        let iterative = plain.solve(&iterative, None);
+        assert!(iterative.iterations <= 15, "{} steps", iterative.iterations);
+        assert!(
+            iterative.n_a < gradient.n_a,
+            "{} and {} products",
+            iterative.n_a,
+            gradient.n_a
+        );
+        assert!(distance(&iterative.lambda, &newton.lambda) <= 1e-6 * norm(&newton.lambda));
+    }
+}
+
+#[test]
+fn one_pair_has_its_closed_form() {
+    // A = I: the solution is the projection of b.
+    let identity = |n: usize| -> Vec<Vec<f64>> {
+        (0..n)
+            .map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect())
+            .collect()
+    };
+    let cases = [
+        ([2.0, 3.0, 4.0], 1.0, [2.0, 0.6, 0.8]),
+        ([-2.0, 3.0, 4.0], 10.0, [0.0, 3.0, 4.0]),
+        ([-2.0, 0.0, 0.0], 1.0, [0.0, 0.0, 0.0]),
+        ([1.0, 3.0, 4.0], 0.0, [1.0, 0.0, 0.0]),
+    ];
+    for (b, bound, expected) in cases {
+        let set = ProductSet::contact_3d(&[bound]).unwrap();
+        let plain = Plain {
+            a: identity(3),
+            b: b.to_vec(),
+            set,
+        };
+        for &method in Method::ALL {
+            let solution = plain.solve(&settings(method, 1e-12), None);
+            assert_eq!(solution.status, Status::Converged, "{method}");
+            assert!(
+                distance(&solution.lambda, &expected) <= 1e-11,
+                "{method}: {:?}",
+                solution.lambda
+            );
+        }
+    }
+    // One dimension of friction, coupled to the normal: min x² + xy + y² − 3x − 3y, x ≥ 0, |y| ≤ ½.
+    let a = vec![vec![2.0, 1.0], vec![1.0, 2.0]];
+    let plain = Plain {
+        a,
+        b: vec![3.0, 3.0],
+        set: ProductSet::contact_2d(&[0.5]).unwrap(),
+    };
+    for &method in Method::ALL {
+        let solution = plain.solve(&settings(method, 1e-12), None);
+        assert!(
+            distance(&solution.lambda, &[1.25, 0.5]) <= 1e-11,
+            "{method}: {:?}",
+            solution.lambda
+        );
+    }
+}
+
+#[test]
+fn a_problem_solved_by_zero_costs_nothing() {
+    for b in [vec![0.0; 6], vec![-1.0, -2.0, 0.0, 0.0, 0.0, 0.0]] {
+        let mut plain = random(Kind::Mixed, 2, 10.0, 3);
+        plain.b = b;
+        for &method in Method::ALL {
+            let solution = plain.solve(&settings(method, 1e-10), None);
+            assert_eq!(solution.status, Status::Converged);
+            assert_eq!((solution.n_a, solution.iterations), (0, 0));
+            assert_eq!(solution.lambda, [0.0; 6]);
+            assert_eq!(solution.relative_reduced_gradient, 0.0);
+        }
+    }
+}
+
+#[test]
+fn the_exact_method_in_two_dimensions_ends_after_finitely_many_steps() {
+    // Intervals have no curvature: once the sets are right, one linear solve is exact.
+    for seed in 0..5 {
+        let plain = random(Kind::TwoDimensional, 15, 1e3, 60 + seed);
+        let solution = plain.solve(&settings(Method::Grssn, 1e-6), None);
+        assert_eq!(solution.status, Status::Converged);
+        assert!(
+            solution.relative_reduced_gradient <= 1e-12,
+            "the last step left {:.1e}",
+            solution.relative_reduced_gradient
+        );
+    }
+}
+
+#[test]
+fn a_semidefinite_operator_is_survived() {
+    // Rank 2/3: the forces are not unique, the objective is.
+    let rng = &mut rng(5);
+    let mut spectrum = common::problems::geometric_spectrum(18, 50.0);
+    spectrum[12..].fill(0.0);
+    let a = common::problems::with_spectrum(rng, &spectrum);
+    let set = ProductSet::contact_3d(&[0.4, 0.0, 1.0, 0.7, 0.2, 2.0]).unwrap();
+    let mut plain = Plain {
+        a,
+        b: Vec::new(),
+        set,
+    };
+    plain.b = plain.mul(&common::problems::normals(rng, 18));
+    let objectives: Vec<f64> = [Method::Grssn, Method::Gimssn, Method::Apgd]
+        .map(|method| {
+            let solution = plain.solve(&settings(method, 1e-9), None);
+            assert_eq!(solution.status, Status::Converged, "{method}");
+            plain.objective(&solution.lambda)
+        })
+        .to_vec();
+    assert!((objectives[0] - objectives[1]).abs() <= 1e-9 * objectives[0].abs());
+    assert!((objectives[0] - objectives[2]).abs() <= 1e-9 * objectives[0].abs());
+}
