@@ -1,1 +1,27 @@
-//! See the workspace's `docs/architecture.md`.
+//! Geometry of contact: surfaces, pairing, local frames, gaps and friction data.
+//!
+//! In go two meshed bodies and the names of the surfaces that may touch; out
+//! comes [`ContactData`]: the coupling matrix B = \[N; T\] of each side, the
+//! initial normal gaps d, the local frames, the areas and the slip bounds g.
+//! No algorithm of contact lives here: who solves the problem, and how, this
+//! crate does not know.
+//!
+//! Conventions, everywhere in the workspace:
+//! - the *slave* side carries the contact forces; the unit normal ν points out of the slave body;
+//! - N u = ν·(u_slave − u_master) is the approach of the two surfaces, d the initial gap, and
+//!   N u ≤ d says that they do not penetrate;
+//! - T u is the relative tangential displacement in the frame (τ1, τ2), slave minus master;
+//! - λ = \[λν; λτ\] with m normal forces first and then the m pairs (τ1, τ2).
+
+mod data;
+mod error;
+mod frame;
+mod friction;
+mod pairing;
+mod surface;
+
+pub use data::{ContactData, ContactPair, Side, couple_node_by_node};
+pub use error::ContactError;
+pub use frame::Frame;
+pub use friction::FrictionLaw;
+pub use surface::{ContactSurface, SurfaceNode};

@@ -1,1 +1,35 @@
-//! See the workspace's `docs/architecture.md`.
+//! Finite elements for `tresca`: meshes, reference elements, materials,
+//! supports, dof numbering, assembly, loads and stress recovery for linear
+//! elastic bodies with small displacements.
+//!
+//! Conventions shared by the whole crate:
+//!
+//! - **Points and vectors** are `[f64; 3]` in any dimension; in two dimensions
+//!   the third entry is zero.
+//! - **Full dofs** are interleaved by node: `dimension * node + component`.
+//!   A vector over the full dofs describes a body; a vector over the *free*
+//!   dofs (see [`dofs::DofMap`]) is what the linear solver sees.
+//! - **Stress and strain** have the order xx, yy, zz, xy, yz, xz; shear
+//!   strains are the engineering ones, γ = 2ε.
+//! - **Units** are the caller's, as long as they are consistent (mm, N, MPa or
+//!   m, N, Pa or m, MN, MPa).
+//! - **Determinism**: every result is the same bit for bit, whatever the number
+//!   of rayon threads.
+
+// Loops over components i, j, k are written as in the formulas.
+#![allow(clippy::needless_range_loop)]
+
+pub mod assembly;
+pub mod dofs;
+pub mod element;
+mod error;
+pub mod loads;
+pub mod material;
+pub mod mesh;
+pub mod quadrature;
+pub mod rigid;
+pub mod stress;
+pub mod supports;
+mod tensor;
+
+pub use error::FemError;

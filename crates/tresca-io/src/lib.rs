@@ -1,1 +1,23 @@
-//! See the workspace's `docs/architecture.md`.
+//! Files in and out: case files with reports that show the place of an error, and results as VTU,
+//! CSV and JSON, written so that a failed run never destroys an earlier result.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`case`] | reads and checks a case file |
+//! | [`atomic`] | sets of files that appear together or not at all |
+//! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
+//! | [`results`] | the fields of a solved case and their names |
+//! | [`history`] | tables of numbers as CSV |
+//! | [`summary`] | summaries as JSON |
+
+pub mod atomic;
+pub mod case;
+mod error;
+pub mod history;
+pub mod pvd;
+pub mod results;
+pub mod summary;
+pub mod vtu;
+mod xml;
+
+pub use error::WriteError;

@@ -1,1 +1,64 @@
-//! See the workspace's `docs/architecture.md`.
+//! Contact with Tresca friction between linear elastic bodies.
+//!
+//! A [`Model`] (bodies, supports, loads, contacts; built by hand or read by [`case::Case`])
+//! goes into [`solve`] together with [`Settings`]; out comes an [`Outcome`]: displacements,
+//! the state of every contact pair, the iteration history, and a [`Certificate`] that was computed
+//! from the displacements and forces alone.
+//!
+//! ```
+//! use tresca::{FrictionLaw, Model, Run, Settings, Silent, SurfaceRef, solve};
+//! use tresca::mesh::{BrickSpec, brick};
+//! use tresca::material::Isotropic;
+//!
+//! let block = |low: f64| BrickSpec { min: [0.0, 0.0, low], max: [2.0, 1.0, low + 1.0], nodes: [5; 3] };
+//! let steel = Isotropic::new(2.1e5, 0.3)?;
+//! let face = |body, faces| SurfaceRef { body, faces };
+//!
+//! let mut model = Model::new("a block on a block");
+//! model.add_body("upper", brick(&block(1.0))?, steel)?;
+//! model.add_body("lower", brick(&block(0.0))?, steel)?;
+//! model.clamp(face("upper", "x+"))?.clamp(face("lower", "z-"))?;
+//! model.add_traction(&[face("upper", "z+")], [0.0, 0.0, -1.0])?;
+//! model.add_contact(face("upper", "z-"), face("lower", "z+"), FrictionLaw::Tresca { bound: 0.1 })?;
+//!
+//! let Run::Finished(outcome) = solve(&model, &Settings::default(), &mut Silent)? else {
+//!     unreachable!("nobody stops this run")
+//! };
+//! assert!(outcome.converged());
+//! assert!(outcome.certificate.worst() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+pub mod assemble;
+pub mod case;
+pub mod certificate;
+mod coupling;
+pub mod dual;
+mod error;
+pub mod linear;
+pub mod memory;
+pub mod model;
+mod outcome;
+pub mod output;
+pub mod progress;
+mod solve;
+mod summary;
+pub mod two_bricks;
+
+pub use certificate::Certificate;
+pub use error::ModelError;
+pub use model::{Model, SurfaceRef};
+pub use outcome::{Outcome, PairState, Times};
+pub use progress::{Progress, Silent, Stage};
+pub use solve::{Description, Prepared, Run, prepare, solve};
+pub use summary::Summary;
+pub use two_bricks::two_bricks;
+
+pub use tresca_contact::{Frame, FrictionLaw};
+pub use tresca_fem::{material, mesh, rigid};
+pub use tresca_qcqp::{
+    Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status,
+};
+
+/// Version of the library, written into every result file.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -4,11 +4,12 @@ use super::local_model::{self, LocalModel};
 use super::{Coupling, DualOperator};
 use faer::Mat;
 use rayon::prelude::*;
+use std::sync::Arc;
 use tresca_la::{SparseCholesky, SymmetricMatrix};
 
 /// One body: the factor of K_i, and B_i on all its dofs.
 struct Body {
-    cholesky: SparseCholesky,
+    cholesky: Arc<SparseCholesky>,
     coupling: Coupling,
     displacement: Vec<f64>,
     product: Vec<f64>,
@@ -30,7 +31,7 @@ impl Factored {
     /// # Panics
     /// When the sizes do not fit, there is no body, or `groups` is no partition.
     pub fn new(
-        bodies: Vec<(&SymmetricMatrix, SparseCholesky, Coupling)>,
+        bodies: Vec<(&SymmetricMatrix, Arc<SparseCholesky>, Coupling)>,
         groups: &[Vec<usize>],
     ) -> Self {
         let rows = super::common_rows(bodies.iter().map(|(_, _, coupling)| coupling));
@@ -40,7 +41,7 @@ impl Factored {
             local_model::factor(&principal_block(bodies[body].0, dofs))
         });
         let body =
-            |(stiffness, cholesky, coupling): (&SymmetricMatrix, SparseCholesky, Coupling)| {
+            |(stiffness, cholesky, coupling): (&SymmetricMatrix, Arc<SparseCholesky>, Coupling)| {
                 assert_eq!(
                     stiffness.order(),
                     coupling.dofs(),

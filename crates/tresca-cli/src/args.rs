@@ -1,0 +1,164 @@
+//! The command line. What a solver option means and what its default is comes from
+//! [`Settings::options`]: nothing about it is said twice.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use miette::{IntoDiagnostic, WrapErr, miette};
+use tresca::{Engine, Method, Settings};
+
+/// Elastic bodies that touch and rub: contact with Tresca friction.
+#[derive(Debug, Parser)]
+#[command(name = "tresca", version, propagate_version = true)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solve a case file; write fields, history and summary.
+    ///
+    /// Exit code 0: converged. 1: not converged or interrupted; the results are written and
+    /// marked. 2: wrong input; nothing is written. 130: interrupted before there was a result.
+    Solve(SolveArguments),
+    /// Reproduce published experiments.
+    Bench(BenchArguments),
+    /// List every solver option with its meaning, default and range.
+    Options(OptionsArguments),
+}
+
+#[derive(Debug, Args)]
+pub struct SolveArguments {
+    /// The case file (TOML; see docs/case-file.md).
+    pub case: PathBuf,
+    /// Directory for the results [default: out/<case name>].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub solver: SolverArguments,
+    /// Number of threads [default: all processors].
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Print nothing but errors.
+    #[arg(short, long, conflicts_with = "verbose")]
+    pub quiet: bool,
+    /// Print the settings, the choice of the engine and the cost of the factorisation, too.
+    #[arg(short, long)]
+    pub verbose: bool,
+}
+
+/// Options that override those of the case file.
+#[derive(Debug, Args)]
+pub struct SolverArguments {
+    #[arg(long, value_name = "NAME", help = option_help("method"))]
+    pub method: Option<Method>,
+    #[arg(long, value_name = "EPS", help = option_help("tolerance"))]
+    pub tolerance: Option<f64>,
+    #[arg(long, value_name = "N", help = option_help("max_iterations"))]
+    pub max_iterations: Option<usize>,
+    #[arg(long, value_name = "NAME", help = option_help("engine"))]
+    pub engine: Option<Engine>,
+    /// Any solver option, as in the case file's [solver] table; `tresca options` lists them.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+#[derive(Debug, Args)]
+pub struct BenchArguments {
+    #[command(subcommand)]
+    pub experiment: Experiment,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Experiment {
+    /// Two bricks: iterations and multiplications by A of IMSSN, SSN, APGD and GRSSN beside the
+    /// published counts, with times, memory and the ratio to one linear solve.
+    Table1(Table1Arguments),
+}
+
+#[derive(Debug, Args)]
+pub struct Table1Arguments {
+    /// Nodes per edge of each brick.
+    #[arg(long, value_delimiter = ',', default_values_t = [16, 21, 26, 31, 36, 41])]
+    pub sizes: Vec<usize>,
+    /// Tolerances; GRSSN and APGD run for each of them.
+    #[arg(long, value_delimiter = ',', default_values_t = [1e-6, 1e-10])]
+    pub tolerance: Vec<f64>,
+    /// Tolerance of IMSSN and SSN.
+    #[arg(long, default_value_t = 1e-4)]
+    pub paper_tolerance: f64,
+    #[arg(long, value_name = "NAME", default_value_t = Engine::Condensed, help = option_help("engine"))]
+    pub engine: Engine,
+    /// Number of threads [default: all processors].
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Leave out IMSSN, SSN and APGD: GRSSN and the ratio to the linear solve alone.
+    #[arg(long)]
+    pub grssn_only: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct OptionsArguments {
+    /// Output format.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Format {
+    /// For the terminal.
+    Text,
+    /// The table of docs/options.md.
+    Markdown,
+}
+
+/// The help text of a solver option.
+fn option_help(name: &str) -> String {
+    Settings::options()
+        .iter()
+        .find(|option| option.name == name)
+        .map(|option| {
+            format!(
+                "{} ({}) [default: {}]",
+                option.doc, option.allowed, option.default
+            )
+        })
+        .unwrap_or_default()
+}
+
+impl SolverArguments {
+    /// The settings of the case file with the command line's on top.
+    pub fn over(&self, settings: &Settings) -> miette::Result<Settings> {
+        let mut table = toml::Table::try_from(settings).into_diagnostic()?;
+        for assignment in &self.set {
+            let addition: toml::Table =
+                assignment.parse().into_diagnostic().wrap_err_with(|| {
+                    format!("cannot read `--set {assignment}`: expected key=value")
+                })?;
+            table.extend(addition);
+        }
+        let mut settings: Settings = table
+            .try_into()
+            .map_err(|error| miette!("in the options given by --set: {error}"))?;
+        settings.method = self.method.unwrap_or(settings.method);
+        settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
+        settings.max_iterations = self.max_iterations.unwrap_or(settings.max_iterations);
+        settings.engine = self.engine.unwrap_or(settings.engine);
+        settings.validate().into_diagnostic()?;
+        Ok(settings)
+    }
+}
+
+/// Sets the number of threads for everything that follows.
+pub fn use_threads(threads: Option<NonZeroUsize>) -> miette::Result<()> {
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.get())
+        .build_global()
+        .into_diagnostic()
+        .wrap_err("cannot start the threads")
+}

@@ -1,0 +1,63 @@
+//! `tresca solve`: a case file in, result files and a verdict out.
+
+use std::path::Path;
+
+use miette::{IntoDiagnostic, Report, miette};
+use tresca::case::Case;
+use tresca::Run;
+use tresca::output::Destination;
+
+use crate::args::{SolveArguments, use_threads};
+use crate::interrupt::Interrupt;
+use crate::terminal::{monitor::Monitor, verdict};
+
+pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
+    use_threads(arguments.threads)?;
+    let case = Case::load(&arguments.case)?;
+    let settings = arguments.solver.over(case.settings())?;
+    let name = case_name(&arguments.case)?;
+    let directory = match &arguments.out {
+        Some(directory) => directory.clone(),
+        None => Path::new("out").join(name),
+    };
+    let destination = Destination::new(&directory).into_diagnostic()?;
+
+    if !arguments.quiet {
+        println!("tresca {} · {}", tresca::VERSION, case.model.title());
+    }
+    if arguments.verbose {
+        print!(
+            "settings:\n{}",
+            toml::to_string(&settings).into_diagnostic()?
+        );
+    }
+    let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
+    let run = tresca::solve(&case.model, &settings, &mut monitor)
+        .map_err(|error| Report::new(case.locate(&error)))?;
+    monitor.finish();
+    let outcome = match run {
+        Run::Finished(outcome) => outcome,
+        Run::Stopped(stage) => {
+            eprintln!(
+                "interrupted before the first iteration (at: {stage:?}); nothing was written"
+            );
+            return Ok(crate::INTERRUPTED);
+        }
+    };
+    let summary = destination.write(name, &case.model, &outcome).into_diagnostic()?;
+    if !arguments.quiet {
+        verdict::print(&summary, &directory);
+    }
+    Ok(if outcome.converged() {
+        crate::SUCCESS
+    } else {
+        crate::NOT_CONVERGED
+    })
+}
+
+/// The case file's name without its extension: results are called after it.
+fn case_name(case: &Path) -> miette::Result<&str> {
+    case.file_stem()
+        .and_then(|stem| stem.to_str())
+        .ok_or_else(|| miette!("`{}` is not the name of a case file", case.display()))
+}

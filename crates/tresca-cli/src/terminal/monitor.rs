@@ -1,0 +1,136 @@
+//! The run as it goes on: stages with a spinner (on a terminal only) and the iteration table.
+
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use tresca::{Description, IterationRecord, Progress, Stage};
+
+use super::format::grouped;
+use crate::interrupt::Interrupt;
+
+/// Prints what a run tells, and hands on the user's Ctrl-C.
+pub struct Monitor {
+    interrupt: Interrupt,
+    print: bool,
+    verbose: bool,
+    spinner: ProgressBar,
+}
+
+impl Monitor {
+    pub fn new(interrupt: Interrupt, quiet: bool, verbose: bool) -> Self {
+        Self {
+            interrupt,
+            print: !quiet,
+            verbose,
+            spinner: ProgressBar::hidden(),
+        }
+    }
+
+    fn flow(&self) -> ControlFlow<()> {
+        if self.interrupt.is_set() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// Draws to standard error, and only when that is a terminal.
+    fn spin(&mut self, message: &'static str) {
+        self.spinner.finish_and_clear();
+        if !self.print {
+            return;
+        }
+        let style = ProgressStyle::with_template("{spinner} {msg} {elapsed}")
+            .unwrap_or_else(|_| ProgressStyle::default_spinner());
+        self.spinner = ProgressBar::new_spinner()
+            .with_style(style)
+            .with_message(message);
+        self.spinner.enable_steady_tick(Duration::from_millis(120));
+    }
+
+    /// Removes whatever is still turning.
+    pub fn finish(&mut self) {
+        self.spinner.finish_and_clear();
+    }
+}
+
+impl Progress for Monitor {
+    fn stage(&mut self, stage: Stage) -> ControlFlow<()> {
+        match stage {
+            Stage::Assembly => self.spin("assembling"),
+            Stage::Factorization => self.spin("factoring the bodies"),
+            Stage::Solve => self.finish(),
+            Stage::Recovery => self.spin("recovering displacements, checking the result"),
+        }
+        self.flow()
+    }
+
+    fn problem(&mut self, description: &Description) {
+        self.finish();
+        if !self.print {
+            return;
+        }
+        println!(
+            "{} bodies, {} dofs, {} contact pairs; engine: {}",
+            description.bodies,
+            grouped(description.dofs),
+            grouped(description.pairs),
+            description.engine.engine
+        );
+        if description.held_pairs > 0 {
+            println!(
+                "{} pairs are left out: both of their nodes are held",
+                grouped(description.held_pairs)
+            );
+        }
+        if self.verbose {
+            let work = &description.factorization;
+            println!("engine because: {}", description.engine.reason);
+            println!(
+                "factorisation: {:.3e} nonzeros, {:.1} GFLOP in {:.2} s = {:.1} GFLOP/s",
+                work.nonzeros,
+                work.flops / 1e9,
+                work.seconds,
+                work.gigaflops_per_second()
+            );
+        }
+        println!(
+            "\n{:>4} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
+            "k",
+            "rel. grad.",
+            "q",
+            "decrease",
+            "open",
+            "closed",
+            "stick",
+            "slip",
+            "changes",
+            "inner",
+            "n_A",
+            "step"
+        );
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {
+        if self.print {
+            let counts = record.counts;
+            println!(
+                "{:>4} {:>12.4e} {:>16.9e} {:>10.2e} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6.3}",
+                record.iteration,
+                record.relative_reduced_gradient,
+                record.objective,
+                record.decrease,
+                counts.open,
+                counts.closed,
+                counts.stick,
+                counts.slip,
+                record.set_changes,
+                record.inner_iterations,
+                record.n_a,
+                record.step_length,
+            );
+        }
+        self.flow()
+    }
+}

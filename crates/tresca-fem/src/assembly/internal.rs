@@ -1,0 +1,122 @@
+//! Internal forces of a displacement: the action of the whole K, without the matrix.
+
+use super::{physical_gradients, require_space, strain};
+use crate::FemError;
+use crate::dofs::DofMap;
+use crate::element::ShapeTable;
+use crate::material::Isotropic;
+use crate::mesh::{CellBlock, Mesh, gather_points};
+use rayon::prelude::*;
+
+/// K u over *all* dofs, prescribed ones included, for a displacement `u` over the full dofs.
+///
+/// At a prescribed dof, `(K u − f)` is the force that the support exerts on the body. uᵀ(K u)/2 is
+/// the strain energy.
+///
+/// # Errors
+/// [`FemError::NotThreeDimensional`], [`FemError::InvertedCell`].
+///
+/// # Panics
+/// When the length of `u` is not [`Mesh::dof_count`].
+pub fn internal_forces(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Result<Vec<f64>, FemError> {
+    require_space(mesh)?;
+    assert_eq!(u.len(), mesh.dof_count());
+    let mut forces = vec![0.0; u.len()];
+    let mut first = 0;
+    for block in &mesh.cells {
+        // Cells in parallel, then added up in their order.
+        let of_cells = forces_of_block(mesh, block, first, material, u)?;
+        let width = block.kind.node_count();
+        for (nodes, of_cell) in block.cells().zip(of_cells.chunks_exact(width)) {
+            for (&node, force) in nodes.iter().zip(of_cell) {
+                for i in 0..3 {
+                    forces[3 * node + i] += force[i];
+                }
+            }
+        }
+        first += block.len();
+    }
+    Ok(forces)
+}
+
+/// Nodal forces of every cell of a block.
+fn forces_of_block(
+    mesh: &Mesh,
+    block: &CellBlock,
+    first: usize,
+    material: &Isotropic,
+    u: &[f64],
+) -> Result<Vec<[f64; 3]>, FemError> {
+    let table = ShapeTable::full(block.kind);
+    let n = table.nodes;
+    let mut forces = vec![[0.0; 3]; block.connectivity.len()];
+    let inverted = forces
+        .par_chunks_exact_mut(n)
+        .zip(block.connectivity.par_chunks_exact(n))
+        .enumerate()
+        .map_init(
+            || (vec![[0.0; 3]; n], vec![[0.0; 3]; n]),
+            |(points, gradients), (local, (forces, nodes))| {
+                gather_points(mesh, nodes, points);
+                for q in 0..table.len() {
+                    let determinant = physical_gradients(&table, q, points, gradients).map_err(
+                        |determinant| FemError::InvertedCell {
+                            cell: first + local,
+                            determinant,
+                        },
+                    )?;
+                    let [xx, yy, zz, xy, yz, xz] = material
+                        .stress(strain(nodes, gradients, u))
+                        .map(|s| s * determinant * table.weights[q]);
+                    for (f, g) in forces.iter_mut().zip(gradients.iter()) {
+                        f[0] += xx * g[0] + xy * g[1] + xz * g[2];
+                        f[1] += xy * g[0] + yy * g[1] + yz * g[2];
+                        f[2] += xz * g[0] + yz * g[1] + zz * g[2];
+                    }
+                }
+                Ok(())
+            },
+        )
+        .filter_map(Result::err)
+        .min_by_key(|error| match error {
+            FemError::InvertedCell { cell, .. } => *cell,
+            _ => usize::MAX,
+        });
+    match inverted {
+        Some(error) => Err(error),
+        None => Ok(forces),
+    }
+}
+
+/// Right-hand side over the free dofs, f_f − K_fc u_c: the free part of the load minus the forces
+/// that the prescribed displacements cause.
+///
+/// `load` and `prescribed` are full vectors; of `prescribed` (see
+/// [`crate::supports::Supports::values`]) only the entries at prescribed dofs are read. When all of
+/// them are zero this is the restriction of the load.
+///
+/// # Errors
+/// As [`internal_forces`].
+///
+/// # Panics
+/// When a length does not fit.
+pub fn reduced_load(
+    mesh: &Mesh,
+    material: &Isotropic,
+    dofs: &DofMap,
+    load: &[f64],
+    prescribed: &[f64],
+) -> Result<Vec<f64>, FemError> {
+    let mut free = dofs.restrict(load);
+    let mut u = vec![0.0; dofs.full_len()];
+    for dof in dofs.prescribed() {
+        u[dof] = prescribed[dof];
+    }
+    if u.iter().any(|&x| x != 0.0) {
+        let forces = dofs.restrict(&internal_forces(mesh, material, &u)?);
+        for (f, force) in free.iter_mut().zip(forces) {
+            *f -= force;
+        }
+    }
+    Ok(free)
+}

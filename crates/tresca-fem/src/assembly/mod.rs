@@ -1,0 +1,194 @@
+//! Assembly of the stiffness matrix and of internal forces.
+//!
+//! K_(ai)(bj) = ∫ ε(φ_a e_i) : C : ε(φ_b e_j) dΩ over the free dofs, with the full rule of every
+//! element. How it is done:
+//!
+//! 1. The nodes are cut into ranges; each range owns its columns of K, which are contiguous.
+//! 2. Each range finds its pattern from the cells around its nodes.
+//! 3. Each range runs over the cells that touch it, in ascending order, and adds their columns.
+//!
+//! A cell at the border of two ranges is integrated twice, which costs little because the work of
+//! a cell is small. In return nothing is shared, no triplets are sorted, memory is the matrix
+//! itself, and every entry is summed in the order of the cells: the result does not depend on the
+//! number of ranges or threads, bit for bit.
+
+mod columns;
+mod internal;
+mod kernel;
+
+pub use internal::{internal_forces, reduced_load};
+pub(crate) use kernel::{physical_gradients, strain};
+
+use crate::FemError;
+use crate::dofs::DofMap;
+use crate::material::Isotropic;
+use crate::mesh::{CellBlock, CellKind, Mesh};
+use columns::{ColumnRange, ColumnValues};
+use faer::sparse::{SparseColMat, SymbolicSparseColMat};
+use kernel::Kernel;
+use rayon::prelude::*;
+use std::ops::Range;
+use tresca_la::SymmetricMatrix;
+
+/// Ranges per thread: enough to even out the load, few enough to integrate few cells twice.
+const RANGES_PER_THREAD: usize = 4;
+
+/// The stiffness matrix of a body over its free dofs (force per length; MN/m for m and MPa).
+///
+/// Symmetric, positive semidefinite; definite when the supports leave no rigid motion (see
+/// [`crate::rigid::remaining`]). Runs on rayon's current thread pool.
+///
+/// # Errors
+/// [`FemError::NotThreeDimensional`]; [`FemError::InvertedCell`] for the lowest cell whose
+/// Jacobian is not positive at an integration point.
+///
+/// # Panics
+/// When the dof map belongs to another number of nodes.
+pub fn stiffness(
+    mesh: &Mesh,
+    material: &Isotropic,
+    dofs: &DofMap,
+) -> Result<SymmetricMatrix, FemError> {
+    require_space(mesh)?;
+    assert_eq!(
+        dofs.full_len(),
+        mesh.dof_count(),
+        "the dof map belongs to another mesh"
+    );
+    let incidence = mesh.incidence();
+    let ranges: Vec<ColumnRange> =
+        node_ranges(mesh.node_count(), |node| incidence.cells_at(node).len())
+            .into_par_iter()
+            .map(|nodes| ColumnRange::new(mesh, dofs, &incidence, nodes))
+            .collect();
+
+    let n = dofs.free_len();
+    let mut starts = Vec::with_capacity(n + 1);
+    starts.push(0);
+    for length in ranges.iter().flat_map(|range| range.column_lengths(dofs)) {
+        starts.push(starts[starts.len() - 1] + length);
+    }
+    let entries = starts[n];
+    let (mut rows, mut values) = (vec![0_usize; entries], vec![0.0_f64; entries]);
+
+    let mut jobs = Vec::with_capacity(ranges.len());
+    let (mut rows_left, mut values_left, mut first_entry) = (&mut rows[..], &mut values[..], 0);
+    for range in &ranges {
+        let (rows, rest) = rows_left.split_at_mut(range.entries());
+        let (values, rest_values) = values_left.split_at_mut(range.entries());
+        (rows_left, values_left) = (rest, rest_values);
+        jobs.push((
+            rows,
+            ColumnValues {
+                range,
+                dofs,
+                starts: &starts,
+                first_entry,
+                values,
+            },
+        ));
+        first_entry += range.entries();
+    }
+    let inverted = jobs
+        .into_par_iter()
+        .filter_map(|(rows, columns)| {
+            columns.range.write_rows(dofs, rows);
+            fill(mesh, material, columns).err()
+        })
+        .min_by_key(|inverted| inverted.cell);
+    if let Some(Inverted { cell, determinant }) = inverted {
+        return Err(FemError::InvertedCell { cell, determinant });
+    }
+    let pattern = SymbolicSparseColMat::new_checked(n, n, starts, None, rows);
+    Ok(SymmetricMatrix::from_lower(SparseColMat::new(
+        pattern, values,
+    )))
+}
+
+/// A cell that cannot be integrated.
+struct Inverted {
+    cell: usize,
+    determinant: f64,
+}
+
+/// Cuts the nodes into ranges of about equal work.
+fn node_ranges(nodes: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
+    let count = RANGES_PER_THREAD * rayon::current_num_threads();
+    let total: usize = (0..nodes).map(&work).sum();
+    let mut ranges = Vec::with_capacity(count);
+    let (mut start, mut done) = (0, 0);
+    for node in 0..nodes {
+        done += work(node);
+        if done * count >= total * (ranges.len() + 1) || node + 1 == nodes {
+            ranges.push(start..node + 1);
+            start = node + 1;
+        }
+    }
+    ranges.retain(|range| !range.is_empty());
+    ranges
+}
+
+/// Integrates the cells of a range and adds them to its columns.
+fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Result<(), Inverted> {
+    let mut first = 0;
+    for block in &mesh.cells {
+        match block.kind {
+            CellKind::Hex8 => fill_block::<8>(mesh, block, first, material, &mut columns)?,
+            CellKind::Line2 | CellKind::Quad4 => {
+                unreachable!("a valid mesh in space has no plane cells")
+            }
+        }
+        first += block.len();
+    }
+    Ok(())
+}
+
+/// The same for one block, whose cells are numbered from `first`.
+fn fill_block<const N: usize>(
+    mesh: &Mesh,
+    block: &CellBlock,
+    first: usize,
+    material: &Isotropic,
+    columns: &mut ColumnValues<'_>,
+) -> Result<(), Inverted> {
+    let mut kernel = Kernel::<N>::new(block.kind, material);
+    for &cell in columns.range.cells_within(first..first + block.len()) {
+        let nodes: &[usize; N] = block.connectivity[(cell - first) * N..]
+            .first_chunk()
+            .expect("the connectivity of a valid mesh is whole");
+        let points = nodes.map(|node| mesh.points[node]);
+        kernel
+            .integrate(&points)
+            .map_err(|determinant| Inverted { cell, determinant })?;
+        for (b, &node) in nodes.iter().enumerate() {
+            if columns.range.contains(node) {
+                columns.add(node, nodes, |a| kernel.block(a, b));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Elasticity is three-dimensional here.
+pub(crate) fn require_space(mesh: &Mesh) -> Result<(), FemError> {
+    match mesh.dimension {
+        3 => Ok(()),
+        found => Err(FemError::NotThreeDimensional { found }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_cover_all_nodes_once() {
+        for nodes in [1, 2, 7, 8, 1000] {
+            let ranges = node_ranges(nodes, |node| 1 + node % 8);
+            assert_eq!(ranges[0].start, 0);
+            assert_eq!(ranges[ranges.len() - 1].end, nodes);
+            assert!(ranges.windows(2).all(|w| w[0].end == w[1].start));
+            assert!(ranges.iter().all(|range| !range.is_empty()));
+        }
+    }
+}

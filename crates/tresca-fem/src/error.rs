@@ -1,0 +1,165 @@
+//! The one error type of the crate.
+
+use crate::mesh::CellKind;
+
+/// What can be wrong with a mesh, a material, a support or a load.
+///
+/// Node, cell and face numbers count from zero, as everywhere in the crate.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FemError {
+    /// A brick has fewer than two nodes along an axis.
+    #[error("a brick needs at least 2 nodes along {axis}, found {found}")]
+    TooFewNodes {
+        /// The axis: x, y or z.
+        axis: char,
+        /// The number given.
+        found: usize,
+    },
+    /// A brick with min ≥ max, or with a bound that is no finite number.
+    #[error("a brick needs finite min < max along {axis}, found min = {min}, max = {max}")]
+    EmptyBox {
+        /// The axis: x, y or z.
+        axis: char,
+        /// Lower bound given.
+        min: f64,
+        /// Upper bound given.
+        max: f64,
+    },
+    /// Neither 2 nor 3.
+    #[error("the space dimension is 2 or 3, found {found}")]
+    Dimension {
+        /// The dimension given.
+        found: usize,
+    },
+    /// Elasticity is asked for on a mesh of the wrong dimension.
+    #[error("a three-dimensional mesh is needed here, found dimension {found}")]
+    NotThreeDimensional {
+        /// The mesh's dimension.
+        found: usize,
+    },
+    /// A coordinate is NaN or infinite.
+    #[error("node {node} has a coordinate that is no finite number: {point:?}")]
+    PointNotFinite {
+        /// The node.
+        node: usize,
+        /// Its coordinates.
+        point: [f64; 3],
+    },
+    /// A point of a plane mesh lies off the plane.
+    #[error("node {node} of a plane mesh has z = {z}, expected 0")]
+    PointOffPlane {
+        /// The node.
+        node: usize,
+        /// Its third coordinate.
+        z: f64,
+    },
+    /// A connectivity whose length is no multiple of the cell's node count.
+    #[error(
+        "block {block} of {kind} cells has {found} node numbers, which is no multiple of {nodes}"
+    )]
+    RaggedConnectivity {
+        /// The cell block.
+        block: usize,
+        /// Kind of its cells.
+        kind: CellKind,
+        /// Nodes per cell.
+        nodes: usize,
+        /// Length of the connectivity.
+        found: usize,
+    },
+    /// A cell kind that does not fill the mesh's space.
+    #[error("block {block} holds {kind} cells in a mesh of dimension {dimension}")]
+    CellDimension {
+        /// The cell block.
+        block: usize,
+        /// Kind of its cells.
+        kind: CellKind,
+        /// The mesh's dimension.
+        dimension: usize,
+    },
+    /// A cell refers to a node that does not exist.
+    #[error("cell {cell} refers to node {node}, but the mesh has {count} nodes")]
+    NodeOutOfRange {
+        /// The cell.
+        cell: usize,
+        /// The node it names.
+        node: usize,
+        /// Number of nodes of the mesh.
+        count: usize,
+    },
+    /// A node that belongs to no cell: it would make the stiffness singular.
+    #[error("node {node} belongs to no cell")]
+    UnusedNode {
+        /// The first such node.
+        node: usize,
+    },
+    /// A face set names a face that does not exist.
+    #[error("face set \"{set}\" names face {local} of cell {cell}, which does not exist")]
+    FaceOutOfRange {
+        /// The face set.
+        set: String,
+        /// The cell it names.
+        cell: usize,
+        /// The local face it names.
+        local: usize,
+    },
+    /// A face set that the mesh does not have.
+    #[error("there is no face set \"{name}\"; the mesh has: {}", known.join(", "))]
+    UnknownFaceSet {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// The map from the reference cell turns inside out or collapses.
+    #[error(
+        "cell {cell} is inverted or degenerate: det J = {determinant:e} at an integration point (expected > 0)"
+    )]
+    InvertedCell {
+        /// The lowest such cell.
+        cell: usize,
+        /// Its determinant there.
+        determinant: f64,
+    },
+    /// Young's modulus is not positive and finite.
+    #[error("Young's modulus must be positive and finite, found {found}")]
+    Young {
+        /// The value given.
+        found: f64,
+    },
+    /// Poisson's ratio is outside (−1, ½).
+    #[error("Poisson's ratio must lie strictly between -1 and 0.5, found {found}")]
+    Poisson {
+        /// The value given.
+        found: f64,
+    },
+    /// A dof is given two different displacements.
+    #[error("component {component} of node {node} is prescribed twice: {first} and {second}")]
+    ConflictingSupport {
+        /// The node.
+        node: usize,
+        /// The component (0, 1 or 2).
+        component: usize,
+        /// The value given first.
+        first: f64,
+        /// The value given later.
+        second: f64,
+    },
+    /// A support at a dof that does not exist, or with a value that is no number.
+    #[error(
+        "cannot prescribe component {component} of node {node} to {value}: the body has {nodes} nodes of {components} components, and the value must be finite"
+    )]
+    InvalidSupport {
+        /// The node.
+        node: usize,
+        /// The component.
+        component: usize,
+        /// The value.
+        value: f64,
+        /// Nodes of the body.
+        nodes: usize,
+        /// Components per node.
+        components: usize,
+    },
+}

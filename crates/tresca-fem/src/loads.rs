@@ -1,0 +1,157 @@
+//! Consistent nodal loads, and what they add up to.
+//!
+//! A load is a vector over the full dofs. Its entries are forces (in the plane: per unit thickness).
+
+use crate::element::{ShapeTable, interpolate, jacobian};
+use crate::mesh::{Face, FaceTables, Mesh, cell_determinant, gather_points};
+use crate::tensor::{cross, norm, sub};
+
+/// f_a = ∫ φ_a t dΓ for a constant traction t (force per area) on some faces.
+pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
+    let mut load = vec![0.0; mesh.dof_count()];
+    for (node, area) in nodal_areas(mesh, faces).into_iter().enumerate() {
+        for i in 0..mesh.dimension {
+            load[mesh.dimension * node + i] = area * traction[i];
+        }
+    }
+    load
+}
+
+/// ∫ φ_a dΓ over some faces, by node of the mesh; zero off the faces.
+pub fn nodal_areas(mesh: &Mesh, faces: &[Face]) -> Vec<f64> {
+    let mut areas = vec![0.0; mesh.node_count()];
+    FaceTables::new(mesh).for_each_point(faces, |point| {
+        let area = norm(point.area);
+        for (&node, value) in point.nodes.iter().zip(point.values) {
+            areas[node] += value * area;
+        }
+    });
+    areas
+}
+
+/// ∫ φ_a n dΓ over some faces, by node of the mesh, n the outward unit normal; zero off the faces.
+/// Its direction is the area-weighted mean normal of the faces at the node.
+pub fn nodal_area_vectors(mesh: &Mesh, faces: &[Face]) -> Vec<[f64; 3]> {
+    let mut areas = vec![[0.0; 3]; mesh.node_count()];
+    FaceTables::new(mesh).for_each_point(faces, |point| {
+        for (&node, value) in point.nodes.iter().zip(point.values) {
+            for i in 0..3 {
+                areas[node][i] += value * point.area[i];
+            }
+        }
+    });
+    areas
+}
+
+/// f_a = ∫ φ_a b dΩ for a body force b (force per volume) given at points, by each cell's full rule.
+pub fn body_force(mesh: &Mesh, density: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
+    let mut load = vec![0.0; mesh.dof_count()];
+    for block in &mesh.cells {
+        let table = ShapeTable::full(block.kind);
+        let mut points = vec![[0.0; 3]; table.nodes];
+        for nodes in block.cells() {
+            gather_points(mesh, nodes, &mut points);
+            for q in 0..table.len() {
+                let columns = jacobian(table.gradients(q), &points);
+                let volume = table.weights[q] * cell_determinant(mesh.dimension, &columns);
+                let b = density(interpolate(table.values(q), &points));
+                for (&node, value) in nodes.iter().zip(table.values(q)) {
+                    for i in 0..mesh.dimension {
+                        load[mesh.dimension * node + i] += value * volume * b[i];
+                    }
+                }
+            }
+        }
+    }
+    load
+}
+
+/// Force and moment that a load adds up to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resultant {
+    /// Σ f_a.
+    pub force: [f64; 3],
+    /// Σ (x_a − x_0) × f_a about the point x_0 that was asked for.
+    pub moment: [f64; 3],
+}
+
+/// Resultant of a load (full dofs) about the point `about`.
+///
+/// # Panics
+/// When the load's length is not [`Mesh::dof_count`].
+pub fn resultant(mesh: &Mesh, load: &[f64], about: [f64; 3]) -> Resultant {
+    assert_eq!(load.len(), mesh.dof_count());
+    let mut sum = Resultant {
+        force: [0.0; 3],
+        moment: [0.0; 3],
+    };
+    for (&point, f) in mesh.points.iter().zip(load.chunks_exact(mesh.dimension)) {
+        let mut force = [0.0; 3];
+        force[..mesh.dimension].copy_from_slice(f);
+        let moment = cross(sub(point, about), force);
+        for i in 0..3 {
+            sum.force[i] += force[i];
+            sum.moment[i] += moment[i];
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{BrickSpec, brick};
+
+    fn block() -> Mesh {
+        brick(&BrickSpec {
+            min: [1.0, 0.0, -1.0],
+            max: [3.0, 1.0, 2.0],
+            nodes: [5, 3, 4],
+        })
+        .unwrap()
+    }
+
+    fn close(a: [f64; 3], b: [f64; 3]) {
+        assert!(
+            (0..3).all(|i| (a[i] - b[i]).abs() < 1e-12),
+            "{a:?} against {b:?}"
+        );
+    }
+
+    #[test]
+    fn a_traction_has_the_resultant_of_statics() {
+        let mesh = block();
+        let t = [0.5, -1.0, 2.0];
+        let load = traction(&mesh, mesh.faces_of_set("z+").unwrap(), t);
+        let sum = resultant(&mesh, &load, [0.0; 3]);
+        // Area 2 × 1, centre (2, 0.5, 2).
+        let force = t.map(|x| 2.0 * x);
+        close(sum.force, force);
+        close(sum.moment, cross([2.0, 0.5, 2.0], force));
+        // A corner node has a quarter of a cell's face.
+        let areas = nodal_areas(&mesh, mesh.faces_of_set("z+").unwrap());
+        assert!((areas[mesh.node_count() - 1] - 0.25 * 0.5 * 0.5).abs() < 1e-15);
+        assert_eq!(areas[0], 0.0);
+    }
+
+    #[test]
+    fn nodal_area_vectors_point_outwards_and_average_at_edges() {
+        let mesh = block();
+        let mut faces = mesh.faces_of_set("x-").unwrap().to_vec();
+        faces.extend(mesh.faces_of_set("z-").unwrap());
+        let vectors = nodal_area_vectors(&mesh, &faces);
+        // Node 0 has a quarter of an x- face (0.5 × 1) and a quarter of a z- face (0.5 × 0.5).
+        close(vectors[0], [-0.125, 0.0, -0.0625]);
+    }
+
+    #[test]
+    fn a_body_force_has_the_resultant_of_statics() {
+        let mesh = block();
+        let load = body_force(&mesh, |[x, _, _]| [0.0, 0.0, -x]);
+        let sum = resultant(&mesh, &load, [0.0; 3]);
+        // ∫ x over (1,3)×(0,1)×(−1,2) = 12, ∫ x² = 26.
+        close(sum.force, [0.0, 0.0, -12.0]);
+        // The moment −Σ x_a f_a uses the nodal interpolant of x, which is x itself.
+        close(sum.moment, [-6.0, 26.0, 0.0]);
+    }
+}

@@ -1,0 +1,217 @@
+//! Measures of a mesh: volumes, area vectors, bounds.
+
+use super::{CellKind, Face, Mesh};
+use crate::element::{ShapeTable, jacobian};
+use crate::tensor::{cross, determinant, norm};
+
+/// The smallest axis-parallel box around a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundingBox {
+    /// Lowest corner.
+    pub min: [f64; 3],
+    /// Highest corner.
+    pub max: [f64; 3],
+}
+
+impl BoundingBox {
+    /// Length of the diagonal: the length scale of a body.
+    pub fn diagonal(&self) -> f64 {
+        norm(std::array::from_fn(|i| self.max[i] - self.min[i]))
+    }
+}
+
+/// det of the Jacobian with the given columns: a volume in space, an area in the plane.
+pub(crate) fn cell_determinant(dimension: usize, columns: &[[f64; 3]; 3]) -> f64 {
+    match dimension {
+        2 => columns[0][0] * columns[1][1] - columns[0][1] * columns[1][0],
+        _ => determinant(columns),
+    }
+}
+
+impl Mesh {
+    /// The smallest axis-parallel box around all points; empty (min > max) without points.
+    pub fn bounding_box(&self) -> BoundingBox {
+        let start = BoundingBox {
+            min: [f64::INFINITY; 3],
+            max: [f64::NEG_INFINITY; 3],
+        };
+        self.points.iter().fold(start, |bounds, p| BoundingBox {
+            min: std::array::from_fn(|i| bounds.min[i].min(p[i])),
+            max: std::array::from_fn(|i| bounds.max[i].max(p[i])),
+        })
+    }
+
+    /// Volume of every cell (area in the plane), negative for a cell that is turned inside out.
+    pub fn cell_volumes(&self) -> Vec<f64> {
+        let mut volumes = Vec::with_capacity(self.cell_count());
+        for block in &self.cells {
+            let table = ShapeTable::full(block.kind);
+            let mut points = vec![[0.0; 3]; table.nodes];
+            for nodes in block.cells() {
+                gather_points(self, nodes, &mut points);
+                volumes.push(
+                    (0..table.len())
+                        .map(|q| {
+                            let columns = jacobian(table.gradients(q), &points);
+                            table.weights[q] * cell_determinant(self.dimension, &columns)
+                        })
+                        .sum(),
+                );
+            }
+        }
+        volumes
+    }
+
+    /// Volume of the body (area in the plane).
+    pub fn volume(&self) -> f64 {
+        self.cell_volumes().iter().sum()
+    }
+
+    /// ∫ n dΓ over some faces, n the outward unit normal. For a plane face its length is the area.
+    pub fn area_vector(&self, faces: &[Face]) -> [f64; 3] {
+        let mut total = [0.0; 3];
+        FaceTables::new(self).for_each_point(faces, |point| {
+            for i in 0..3 {
+                total[i] += point.area[i];
+            }
+        });
+        total
+    }
+
+    /// Area of some faces, ∫ dΓ.
+    pub fn area(&self, faces: &[Face]) -> f64 {
+        let mut total = 0.0;
+        FaceTables::new(self).for_each_point(faces, |point| total += norm(point.area));
+        total
+    }
+}
+
+/// Copies the coordinates of a cell's nodes.
+pub(crate) fn gather_points(mesh: &Mesh, nodes: &[usize], points: &mut [[f64; 3]]) {
+    for (point, &node) in points.iter_mut().zip(nodes) {
+        *point = mesh.points[node];
+    }
+}
+
+/// An integration point of a face.
+pub(crate) struct FacePoint<'a> {
+    /// Node numbers of the face.
+    pub nodes: &'a [usize],
+    /// φ_a of the face's nodes.
+    pub values: &'a [f64],
+    /// n dΓ, weight included: its length is the share of the area.
+    pub area: [f64; 3],
+}
+
+/// Tabulated face elements of a mesh.
+pub(crate) struct FaceTables<'a> {
+    mesh: &'a Mesh,
+    tables: Vec<(CellKind, ShapeTable)>,
+}
+
+impl<'a> FaceTables<'a> {
+    /// Tabulates every face kind that occurs in the mesh at its full rule.
+    pub fn new(mesh: &'a Mesh) -> Self {
+        let mut tables: Vec<(CellKind, ShapeTable)> = Vec::new();
+        for face in mesh.cells.iter().flat_map(|block| block.kind.faces()) {
+            if tables.iter().all(|(kind, _)| *kind != face.kind) {
+                tables.push((face.kind, ShapeTable::full(face.kind)));
+            }
+        }
+        Self { mesh, tables }
+    }
+
+    /// Visits the integration points of some faces, face after face.
+    pub fn for_each_point(&self, faces: &[Face], mut visit: impl FnMut(FacePoint<'_>)) {
+        for &face in faces {
+            let nodes = self.mesh.face_nodes(face);
+            let points: Vec<[f64; 3]> = nodes.iter().map(|&node| self.mesh.points[node]).collect();
+            let kind = self.mesh.face_kind(face);
+            for (_, table) in self.tables.iter().filter(|(k, _)| *k == kind) {
+                for q in 0..table.len() {
+                    let [t1, t2, _] = jacobian(table.gradients(q), &points);
+                    let normal = match self.mesh.dimension {
+                        2 => [t1[1], -t1[0], 0.0],
+                        _ => cross(t1, t2),
+                    };
+                    visit(FacePoint {
+                        nodes: &nodes,
+                        values: table.values(q),
+                        area: normal.map(|x| x * table.weights[q]),
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::mesh::{BrickSpec, CellBlock, CellKind, Mesh, brick};
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn a_closed_surface_has_no_area_vector_and_the_divergence_theorem_holds() {
+        let mut mesh = brick(&BrickSpec {
+            min: [0.0; 3],
+            max: [1.0; 3],
+            nodes: [4, 4, 4],
+        })
+        .unwrap();
+        for p in &mut mesh.points {
+            let [x, y, z] = *p;
+            *p = [x + 0.1 * y * z, y + 0.2 * (3.0 * x).sin(), z - 0.1 * x * x];
+        }
+        let surface = mesh.boundary_faces();
+        let total = mesh.area_vector(&surface);
+        assert!(total.iter().all(|x| x.abs() < 1e-14), "{total:?}");
+        // ∫ x·n dΓ = 3 |Ω|
+        let mut flux = 0.0;
+        super::FaceTables::new(&mesh).for_each_point(&surface, |p| {
+            for (&node, value) in p.nodes.iter().zip(p.values) {
+                flux += value * crate::tensor::dot(mesh.points[node], p.area);
+            }
+        });
+        assert!((flux - 3.0 * mesh.volume()).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_plane_mesh_has_areas_and_outward_edges() {
+        let points = vec![
+            [0.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+            [3.0, 1.0, 0.0],
+            [1.0, 1.0, 0.0],
+        ];
+        let block = CellBlock {
+            kind: CellKind::Quad4,
+            connectivity: vec![0, 1, 2, 3],
+        };
+        let mesh = Mesh::new(2, points, vec![block], BTreeMap::new()).unwrap();
+        assert!((mesh.volume() - 2.0).abs() < 1e-15);
+        let faces = mesh.boundary_faces();
+        let bottom = mesh.area_vector(&faces[..1]);
+        assert!(
+            (bottom[1] + 2.0).abs() < 1e-15 && bottom[0] == 0.0,
+            "{bottom:?}"
+        );
+        assert!((mesh.area(&faces) - 4.0 - 2.0 * 2f64.sqrt()).abs() < 1e-14);
+        let total = mesh.area_vector(&faces);
+        assert!(total.iter().all(|x| x.abs() < 1e-15));
+    }
+
+    #[test]
+    fn an_inverted_cell_has_negative_volume() {
+        let mut mesh = brick(&BrickSpec {
+            min: [0.0; 3],
+            max: [1.0; 3],
+            nodes: [2, 2, 2],
+        })
+        .unwrap();
+        mesh.cells[0].connectivity.swap(0, 4);
+        mesh.cells[0].connectivity.swap(1, 5);
+        mesh.cells[0].connectivity.swap(2, 6);
+        mesh.cells[0].connectivity.swap(3, 7);
+        assert!((mesh.volume() + 1.0).abs() < 1e-15);
+    }
+}

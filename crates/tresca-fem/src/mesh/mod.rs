@@ -1,0 +1,380 @@
+//! Meshes: points, cells in blocks of one kind, named sets of faces.
+//!
+//! ```
+//! use tresca_fem::mesh::{BrickSpec, brick};
+//!
+//! let mesh = brick(&BrickSpec { min: [0.0; 3], max: [2.0, 1.0, 1.0], nodes: [5, 3, 3] })?;
+//! assert_eq!(mesh.points.len(), 45);
+//! assert_eq!(mesh.cell_count(), 16);
+//! assert_eq!(mesh.nodes_of_set("x+")?.len(), 9);
+//! assert!((mesh.volume() - 2.0).abs() < 1e-14);
+//! # Ok::<(), tresca_fem::FemError>(())
+//! ```
+
+mod brick;
+mod geometry;
+mod topology;
+
+pub use brick::{BrickSpec, brick};
+pub use geometry::BoundingBox;
+pub(crate) use geometry::{FaceTables, cell_determinant, gather_points};
+pub use topology::Incidence;
+
+use crate::FemError;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// Kinds of cells and of their faces, numbered like VTK's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum CellKind {
+    /// Two-node line: the face of plane cells.
+    Line2,
+    /// Bilinear quadrilateral: the face of hexahedra.
+    Quad4,
+    /// Trilinear hexahedron.
+    Hex8,
+}
+
+impl fmt::Display for CellKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            CellKind::Line2 => "line2",
+            CellKind::Quad4 => "quad4",
+            CellKind::Hex8 => "hex8",
+        })
+    }
+}
+
+/// Cells of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellBlock {
+    /// The kind of every cell in the block.
+    pub kind: CellKind,
+    /// Node numbers, `kind.node_count()` per cell, cell after cell.
+    pub connectivity: Vec<usize>,
+}
+
+impl CellBlock {
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.connectivity.len() / self.kind.node_count()
+    }
+
+    /// No cells at all?
+    pub fn is_empty(&self) -> bool {
+        self.connectivity.is_empty()
+    }
+
+    /// Node numbers of the cells, one slice per cell.
+    pub fn cells(&self) -> std::slice::ChunksExact<'_, usize> {
+        self.connectivity.chunks_exact(self.kind.node_count())
+    }
+}
+
+/// A face of a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Face {
+    /// Global cell number: cells are counted through all blocks.
+    pub cell: usize,
+    /// Number of the face in the cell, in the order of [`crate::element::Element::faces`].
+    pub local: usize,
+}
+
+/// One cell, as seen through [`Mesh::cell`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell<'a> {
+    /// Its kind.
+    pub kind: CellKind,
+    /// Its node numbers.
+    pub nodes: &'a [usize],
+}
+
+/// The mesh of one body.
+///
+/// The fields are public data; [`Mesh::new`] checks what the rest of the crate relies on,
+/// and [`Mesh::validate`] checks it again after a change by hand. Functions that take a mesh
+/// may panic when it would not pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// Space dimension, 2 or 3.
+    pub dimension: usize,
+    /// Coordinates of the nodes; the third is zero in the plane.
+    pub points: Vec<[f64; 3]>,
+    /// Cells that fill the body. A cell's global number counts through the blocks.
+    pub cells: Vec<CellBlock>,
+    /// Named parts of the surface.
+    pub face_sets: BTreeMap<String, Vec<Face>>,
+}
+
+impl Mesh {
+    /// A checked mesh: see [`Mesh::validate`].
+    pub fn new(
+        dimension: usize,
+        points: Vec<[f64; 3]>,
+        cells: Vec<CellBlock>,
+        face_sets: BTreeMap<String, Vec<Face>>,
+    ) -> Result<Self, FemError> {
+        let mesh = Self {
+            dimension,
+            points,
+            cells,
+            face_sets,
+        };
+        mesh.validate()?;
+        Ok(mesh)
+    }
+
+    /// Checks that the dimension is 2 or 3 and every cell's own; that coordinates are finite;
+    /// that cells and face sets refer to nodes and faces that exist; and that every node belongs
+    /// to a cell. The shape of cells is not judged here: assembly does that.
+    pub fn validate(&self) -> Result<(), FemError> {
+        if !(2..=3).contains(&self.dimension) {
+            return Err(FemError::Dimension {
+                found: self.dimension,
+            });
+        }
+        for (node, &point) in self.points.iter().enumerate() {
+            if !point.iter().all(|x| x.is_finite()) {
+                return Err(FemError::PointNotFinite { node, point });
+            }
+            if self.dimension == 2 && point[2] != 0.0 {
+                return Err(FemError::PointOffPlane { node, z: point[2] });
+            }
+        }
+        self.validate_cells()?;
+        for (set, faces) in &self.face_sets {
+            for &Face { cell, local } in faces {
+                if cell >= self.cell_count() || local >= self.cell(cell).kind.faces().len() {
+                    return Err(FemError::FaceOutOfRange {
+                        set: set.clone(),
+                        cell,
+                        local,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn validate_cells(&self) -> Result<(), FemError> {
+        let mut used = vec![false; self.points.len()];
+        let mut first_cell = 0;
+        for (block, cells) in self.cells.iter().enumerate() {
+            let (kind, nodes, found) = (
+                cells.kind,
+                cells.kind.node_count(),
+                cells.connectivity.len(),
+            );
+            if kind.dimension() != self.dimension {
+                return Err(FemError::CellDimension {
+                    block,
+                    kind,
+                    dimension: self.dimension,
+                });
+            }
+            if found % nodes != 0 {
+                return Err(FemError::RaggedConnectivity {
+                    block,
+                    kind,
+                    nodes,
+                    found,
+                });
+            }
+            for (i, &node) in cells.connectivity.iter().enumerate() {
+                match used.get_mut(node) {
+                    Some(used) => *used = true,
+                    None => {
+                        let cell = first_cell + i / nodes;
+                        return Err(FemError::NodeOutOfRange {
+                            cell,
+                            node,
+                            count: self.points.len(),
+                        });
+                    }
+                }
+            }
+            first_cell += cells.len();
+        }
+        match used.iter().position(|used| !used) {
+            Some(node) => Err(FemError::UnusedNode { node }),
+            None => Ok(()),
+        }
+    }
+
+    /// Number of nodes.
+    pub fn node_count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Number of full dofs, `dimension * node_count`.
+    pub fn dof_count(&self) -> usize {
+        self.dimension * self.points.len()
+    }
+
+    /// Number of cells in all blocks.
+    pub fn cell_count(&self) -> usize {
+        self.cells.iter().map(CellBlock::len).sum()
+    }
+
+    /// A cell by its global number.
+    ///
+    /// # Panics
+    /// When there is no such cell.
+    pub fn cell(&self, cell: usize) -> Cell<'_> {
+        let mut local = cell;
+        for block in &self.cells {
+            if local < block.len() {
+                let n = block.kind.node_count();
+                return Cell {
+                    kind: block.kind,
+                    nodes: &block.connectivity[local * n..(local + 1) * n],
+                };
+            }
+            local -= block.len();
+        }
+        panic!("cell {cell} of {}", self.cell_count());
+    }
+
+    /// All cells in the order of their global numbers.
+    pub fn iter_cells(&self) -> impl Iterator<Item = Cell<'_>> {
+        self.cells.iter().flat_map(|block| {
+            block.cells().map(|nodes| Cell {
+                kind: block.kind,
+                nodes,
+            })
+        })
+    }
+
+    /// The faces of a set.
+    pub fn faces_of_set(&self, name: &str) -> Result<&[Face], FemError> {
+        self.face_sets
+            .get(name)
+            .map(Vec::as_slice)
+            .ok_or_else(|| FemError::UnknownFaceSet {
+                name: name.to_owned(),
+                known: self.face_sets.keys().cloned().collect(),
+            })
+    }
+
+    /// The element kind of a face.
+    pub fn face_kind(&self, face: Face) -> CellKind {
+        self.cell(face.cell).kind.faces()[face.local].kind
+    }
+
+    /// The nodes of a face in the order of its face element: seen from outside, counter-clockwise.
+    pub fn face_nodes(&self, face: Face) -> Vec<usize> {
+        let cell = self.cell(face.cell);
+        cell.kind.faces()[face.local]
+            .nodes
+            .iter()
+            .map(|&a| cell.nodes[a])
+            .collect()
+    }
+
+    /// The nodes of some faces, ascending, each once.
+    pub fn nodes_of_faces(&self, faces: &[Face]) -> Vec<usize> {
+        let mut nodes: Vec<usize> = faces
+            .iter()
+            .flat_map(|&face| self.face_nodes(face))
+            .collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        nodes
+    }
+
+    /// The nodes of a face set, ascending, each once.
+    pub fn nodes_of_set(&self, name: &str) -> Result<Vec<usize>, FemError> {
+        Ok(self.nodes_of_faces(self.faces_of_set(name)?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_cells() -> Mesh {
+        brick(&BrickSpec {
+            min: [0.0; 3],
+            max: [2.0, 1.0, 1.0],
+            nodes: [3, 2, 2],
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn a_mesh_that_refers_to_nothing_is_named() {
+        let mut mesh = two_cells();
+        mesh.cells[0].connectivity[9] = 12;
+        assert_eq!(
+            mesh.validate(),
+            Err(FemError::NodeOutOfRange {
+                cell: 1,
+                node: 12,
+                count: 12
+            })
+        );
+
+        let mut mesh = two_cells();
+        mesh.cells[0].connectivity.pop();
+        assert!(matches!(
+            mesh.validate(),
+            Err(FemError::RaggedConnectivity { found: 15, .. })
+        ));
+
+        let mut mesh = two_cells();
+        mesh.points.push([0.0; 3]);
+        assert_eq!(mesh.validate(), Err(FemError::UnusedNode { node: 12 }));
+
+        let mut mesh = two_cells();
+        mesh.points[3][1] = f64::NAN;
+        assert!(matches!(
+            mesh.validate(),
+            Err(FemError::PointNotFinite { node: 3, .. })
+        ));
+
+        let mut mesh = two_cells();
+        mesh.face_sets
+            .insert("loose".into(), vec![Face { cell: 1, local: 6 }]);
+        assert_eq!(
+            mesh.validate(),
+            Err(FemError::FaceOutOfRange {
+                set: "loose".into(),
+                cell: 1,
+                local: 6
+            })
+        );
+
+        let mut mesh = two_cells();
+        mesh.dimension = 2;
+        mesh.points.iter_mut().for_each(|p| p[2] = 0.0);
+        assert!(matches!(
+            mesh.validate(),
+            Err(FemError::CellDimension { block: 0, .. })
+        ));
+        mesh.dimension = 4;
+        assert_eq!(mesh.validate(), Err(FemError::Dimension { found: 4 }));
+    }
+
+    #[test]
+    fn an_unknown_face_set_lists_the_known_ones() {
+        let error = two_cells().nodes_of_set("top").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "there is no face set \"top\"; the mesh has: x+, x-, y+, y-, z+, z-"
+        );
+    }
+
+    #[test]
+    fn cells_are_counted_through_blocks() {
+        let mut mesh = two_cells();
+        let second = mesh.cells[0].connectivity.split_off(8);
+        mesh.cells.push(CellBlock {
+            kind: CellKind::Hex8,
+            connectivity: second.clone(),
+        });
+        mesh.validate().unwrap();
+        assert_eq!(mesh.cell_count(), 2);
+        assert_eq!(mesh.cell(1).nodes, &second[..]);
+        assert_eq!(mesh.iter_cells().count(), 2);
+    }
+}

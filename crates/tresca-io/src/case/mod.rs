@@ -1,0 +1,219 @@
+//! The case file: a TOML text that describes bodies, supports, loads and contact pairs.
+//!
+//! ```
+//! #[derive(Default, serde::Deserialize)]
+//! #[serde(deny_unknown_fields)]
+//! struct Solver {
+//!     tolerance: Option<f64>,
+//! }
+//!
+//! let text = r#"
+//!     [[body]]
+//!     name = "block"
+//!     mesh = { brick = { min = [0, 0, 0], max = [2, 1, 1], nodes = [5, 3, 3] } }
+//!     material = { young = 5.0e4, poisson = 0.3 }
+//!
+//!     [[clamp]]
+//!     on = ["block.z-"]
+//! "#;
+//! let case = tresca_io::case::parse::<Solver>("block.toml", text)?;
+//! assert_eq!(case.bodies[0].material.get_ref().poisson.get_ref(), &0.3);
+//! assert_eq!(case.clamps[0].on[0].face, "z-");
+//! # Ok::<(), tresca_io::case::CaseError>(())
+//! ```
+//!
+//! Reading goes in three steps, each with its own sort of error, all of them a [`CaseError`]: text to
+//! TOML, TOML to keys (the `keys` module, where every key is documented), and the checks that need no mesh.
+//! What needs a mesh, a stiffness or the list of solver settings is checked by whoever has it, and
+//! reported through [`CaseError::semantic`] with a span kept here or found by [`CaseSource::locate`].
+
+mod check;
+mod error;
+mod keys;
+mod precheck;
+mod source;
+mod translate;
+mod values;
+
+use std::io;
+use std::path::Path;
+
+use serde::Deserialize;
+use serde::de::{DeserializeOwned, IntoDeserializer};
+use toml::Spanned;
+use toml::de::DeTable;
+
+pub use error::{CaseError, Fault, FaultKind};
+pub use keys::{Body, Brick, Material, Mesh, Triple};
+pub use source::{CaseSource, Span};
+pub use values::MAX_NODES;
+
+/// A case file whose names are resolved and whose values are possible. `S` holds the solver's
+/// settings: the caller's type, so that no solver key is known here; it should refuse unknown keys
+/// (`#[serde(deny_unknown_fields)]`), which are then reported like all others.
+#[derive(Clone, Debug)]
+pub struct CaseFile<S> {
+    /// Headline; the file's name without extension where none was given.
+    pub title: String,
+    /// At least one; names differ, also when case is ignored, for they become names of files.
+    pub bodies: Vec<Body>,
+    /// Surfaces with zero displacement.
+    pub clamps: Vec<Clamp>,
+    /// Surfaces under constant traction. A surface may stand in several of them: they add up.
+    pub tractions: Vec<Traction>,
+    /// Pairs that may touch; may be empty.
+    pub contacts: Vec<Contact>,
+    /// The `[solver]` table; `S::default()` without one.
+    pub solver: S,
+    /// Name and text, for reports of later checks.
+    pub source: CaseSource,
+}
+
+/// A surface of a body, written `body.face`.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Index into [`CaseFile::bodies`].
+    pub body: usize,
+    /// Name of the face; of a brick one of [`BRICK_FACES`].
+    pub face: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+impl Surface {
+    fn is_same(&self, other: &Surface) -> bool {
+        self.body == other.body && self.face == other.face
+    }
+}
+
+/// Names of the faces of a brick: axis, then `-` for the side of `min` and `+` for that of `max`.
+pub const BRICK_FACES: [&str; 6] = ["x-", "x+", "y-", "y+", "z-", "z+"];
+
+/// Surfaces with zero displacement.
+#[derive(Clone, Debug)]
+pub struct Clamp {
+    /// The surfaces; at least one, none twice.
+    pub on: Vec<Surface>,
+}
+
+/// A constant force per area.
+#[derive(Clone, Debug)]
+pub struct Traction {
+    /// The surfaces; at least one, none twice.
+    pub on: Vec<Surface>,
+    /// The traction vector (force per area), finite.
+    pub value: Spanned<Triple<f64>>,
+}
+
+/// Two surfaces that may touch.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// The surface that carries the contact forces, first in the file.
+    pub slave: Surface,
+    /// The other one.
+    pub master: Surface,
+    /// What resists sliding.
+    pub friction: Friction,
+    /// The whole table, for reports about the pair.
+    pub span: Span,
+}
+
+/// Friction laws.
+#[derive(Clone, Debug)]
+pub enum Friction {
+    /// Tresca's law: the pair slides when its tangential traction reaches the bound, whatever the
+    /// normal force.
+    Tresca {
+        /// The slip bound.
+        bound: Spanned<SlipBound>,
+    },
+}
+
+/// How a slip bound is given.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SlipBound {
+    /// The same over the whole surface (force per area); finite, 0 or more.
+    Constant(f64),
+}
+
+/// Reads and checks a case file.
+///
+/// # Errors
+/// Whatever is wrong with the file, see [`CaseError`].
+pub fn read<S: DeserializeOwned + Default>(
+    path: impl AsRef<Path>,
+) -> Result<CaseFile<S>, CaseError> {
+    let path = path.as_ref();
+    let bytes = std::fs::read(path).map_err(|error| unreadable(path, error))?;
+    let text = String::from_utf8(bytes).map_err(|error| not_text(path, &error))?;
+    parse(&path.display().to_string(), &text)
+}
+
+/// Checks the text of a case file; `name` is what reports call it.
+///
+/// # Errors
+/// As [`read`], without those of the file system.
+pub fn parse<S: DeserializeOwned + Default>(
+    name: &str,
+    text: &str,
+) -> Result<CaseFile<S>, CaseError> {
+    let source = CaseSource::new(name, text);
+    let table =
+        DeTable::parse(source.text()).map_err(|error| translate::syntax_error(&source, &error))?;
+    precheck::friction_laws(&source, table.get_ref())?;
+    precheck::lists_for_tables(&source, table.get_ref())?;
+    let keys = keys::CaseKeys::deserialize(table.into_deserializer())
+        .map_err(|error| translate::shape_error(&source, &error))?;
+    check::resolve(keys, source)
+}
+
+fn unreadable(path: &Path, error: io::Error) -> CaseError {
+    let (reason, help, source) = if path.is_dir() {
+        let help = "name the case file inside it, such as `case.toml`";
+        ("it is a directory", Some(help.to_owned()), None)
+    } else if error.kind() == io::ErrorKind::NotFound {
+        ("there is no such file", Some(missing_file(path)), None)
+    } else {
+        ("the system refuses", None, Some(error))
+    };
+    CaseError::Unreadable {
+        path: path.to_owned(),
+        reason,
+        help,
+        source,
+    }
+}
+
+/// The likely cause of a missing file: another name in the same directory, or a missing directory.
+fn missing_file(path: &Path) -> String {
+    let directory = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let Ok(entries) = std::fs::read_dir(directory) else {
+        return format!("there is no directory `{}` either", directory.display());
+    };
+    let names: Vec<String> = entries
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| name.ends_with(".toml"))
+        .collect();
+    let wanted = path.file_name().unwrap_or_default().to_string_lossy();
+    match translate::nearest(&wanted, names.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{}`?", path.with_file_name(near).display()),
+        None => {
+            "a path that does not start at the root counts from the current directory".to_owned()
+        }
+    }
+}
+
+fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> CaseError {
+    let bad = error.utf8_error().valid_up_to();
+    let good = String::from_utf8_lossy(&error.as_bytes()[..bad]).into_owned();
+    let (line, column) = CaseSource::new("", good).line_column(bad);
+    CaseError::NotText {
+        path: path.to_owned(),
+        line,
+        column,
+        byte: error.as_bytes()[bad],
+    }
+}

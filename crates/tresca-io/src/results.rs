@@ -1,0 +1,126 @@
+//! The fields of a solved case and the names they get in the `.vtu` files: the one place for both.
+
+use std::io::Write;
+
+use tresca_fem::mesh::Mesh;
+
+use crate::WriteError;
+use crate::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
+
+/// The result of one body, on its nodes.
+#[derive(Clone, Debug)]
+pub struct BodyFields<'a> {
+    /// The mesh, in three dimensions.
+    pub mesh: &'a Mesh,
+    /// Displacement, xyz interleaved by node, clamped nodes included.
+    pub displacement: &'a [f64],
+    /// Stress averaged to the nodes: xx, yy, zz, xy, yz, xz.
+    pub stress: &'a [[f64; 6]],
+    /// Von Mises stress of the same.
+    pub von_mises: &'a [f64],
+    /// Facts about the run.
+    pub facts: Vec<(String, Fact)>,
+}
+
+impl BodyFields<'_> {
+    /// Writes the body's `.vtu`.
+    ///
+    /// # Errors
+    /// As [`Grid::write`].
+    pub fn write(&self, out: &mut dyn Write) -> Result<(), WriteError> {
+        let mut grid = Grid::of_mesh(self.mesh);
+        grid.point_fields = vec![
+            Field::new("displacement", Values::Interleaved(self.displacement)),
+            Field::new("stress", Values::Tensors(self.stress)),
+            Field::new("von_mises_stress", Values::Scalars(self.von_mises)),
+        ];
+        grid.facts = self.facts.clone();
+        grid.write(out)
+    }
+}
+
+/// What a contact point does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum ContactState {
+    /// No normal force.
+    Open = 0,
+    /// The tangential force is below the bound; no slip.
+    Stick = 1,
+    /// The tangential force is at the bound.
+    Slip = 2,
+}
+
+/// The result on the slave points of all contact pairs of a case, one value per point.
+#[derive(Clone, Debug)]
+pub struct ContactFields<'a> {
+    /// Undeformed positions of the slave points.
+    pub points: &'a [[f64; 3]],
+    /// Faces between the points; where there are none, every point becomes a vertex.
+    pub faces: Vec<Cells<'a>>,
+    /// Number of the contact pair in the case file, from 0.
+    pub pair: &'a [i32],
+    /// Unit normal, from the slave outwards.
+    pub normal: &'a [[f64; 3]],
+    /// Force along the normal, positive in compression.
+    pub normal_force: &'a [f64],
+    /// The same per area.
+    pub contact_pressure: &'a [f64],
+    /// Force in the tangential plane, in the directions of the axes.
+    pub tangential_force: &'a [[f64; 3]],
+    /// The same per area.
+    pub tangential_traction: &'a [[f64; 3]],
+    /// Largest tangential force that the law allows.
+    pub slip_bound: &'a [f64],
+    /// Distance along the normal after deformation; 0 when closed.
+    pub gap: &'a [f64],
+    /// Relative tangential displacement, slave minus master, in the directions of the axes.
+    pub slip: &'a [[f64; 3]],
+    /// 1 where the point carries a normal force.
+    pub closed: &'a [u8],
+    /// 1 where the tangential force is below the slip bound. With Tresca's law an open point may
+    /// stick or slip, too.
+    pub sticking: &'a [u8],
+    /// What the point does, in one word; written as `status`, 0 open, 1 stick, 2 slip.
+    pub status: &'a [ContactState],
+    /// Facts about the run.
+    pub facts: Vec<(String, Fact)>,
+}
+
+impl ContactFields<'_> {
+    /// Writes `contact.vtu`.
+    ///
+    /// # Errors
+    /// As [`Grid::write`].
+    pub fn write(&self, out: &mut dyn Write) -> Result<(), WriteError> {
+        let status: Vec<u8> = self.status.iter().map(|&state| state as u8).collect();
+        let vertices: Vec<usize> = (0..self.points.len()).collect();
+        let mut grid = Grid::new(self.points);
+        grid.cells = self.faces.clone();
+        if grid.cells.is_empty() {
+            grid.cells.push(Cells {
+                shape: CellShape::Vertex,
+                connectivity: &vertices,
+            });
+        }
+        grid.point_fields = vec![
+            Field::new("pair", Values::Integers(self.pair)),
+            Field::new("normal", Values::Vectors(self.normal)),
+            Field::new("normal_force", Values::Scalars(self.normal_force)),
+            Field::new("contact_pressure", Values::Scalars(self.contact_pressure)),
+            Field::new("tangential_force", Values::Vectors(self.tangential_force)),
+            Field::new(
+                "tangential_traction",
+                Values::Vectors(self.tangential_traction),
+            ),
+            Field::new("slip_bound", Values::Scalars(self.slip_bound)),
+            Field::new("gap", Values::Scalars(self.gap)),
+            Field::new("slip", Values::Vectors(self.slip)),
+            Field::new("closed", Values::States(self.closed)),
+            Field::new("sticking", Values::States(self.sticking)),
+            Field::new("status", Values::States(&status)),
+        ];
+        grid.facts = self.facts.clone();
+        grid.write(out)
+    }
+}

@@ -1,0 +1,231 @@
+//! From matrices to the dual problem: factorisation, choice of engine, A and b.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use tresca_la::{Ordering, Parallelism, SparseCholesky};
+use tresca_qcqp::operator::{Condensed, Coupling, Factored as FactoredOperator, groups};
+use tresca_qcqp::{DualProblem, Engine, ProductSet};
+
+use crate::ModelError;
+use crate::assemble::Assembled;
+use crate::coupling::{add_product, add_transposed_product};
+use crate::model::Model;
+
+/// Up to this many dual unknowns the explicit A is formed by default: below it, inverting
+/// the trailing blocks and factoring active blocks of A costs less than the triangular solves of
+/// some fifty multiplications (measured; see `docs/adr`).
+const EXPLICIT_UP_TO: usize = 1000;
+
+/// Largest patch of the local model of A (see `docs/reproduction.md` for what its size does).
+const PAIRS_PER_PATCH: usize = 24;
+
+/// The factored bodies.
+pub struct Factored {
+    /// One factor per body, `Arc` because the factored engine multiplies with it, too.
+    pub factors: Vec<Arc<SparseCholesky>>,
+    /// K⁻¹f of each body, over free dofs: the displacement without contact.
+    pub unconstrained: Vec<Vec<f64>>,
+    /// Sizes and speed.
+    pub work: FactorWork,
+}
+
+/// What the factorisation cost.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct FactorWork {
+    /// Nonzeros of all factors.
+    pub nonzeros: f64,
+    /// Floating-point operations of the numerical factorisations.
+    pub flops: f64,
+    /// Seconds for ordering, symbolic analysis and numerical factorisation of all bodies.
+    pub seconds: f64,
+}
+
+impl FactorWork {
+    /// GFLOP/s reached, ordering and analysis included.
+    pub fn gigaflops_per_second(&self) -> f64 {
+        self.flops / self.seconds / 1e9
+    }
+}
+
+/// Which engine multiplies by A, and why.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct EngineChoice {
+    /// The engine, never [`Engine::Auto`].
+    pub engine: Engine,
+    /// Why this one.
+    pub reason: String,
+}
+
+/// Chooses the engine: what the user asked for, or by the size of the dual problem.
+pub fn choose_engine(asked: Engine, unknowns: usize) -> EngineChoice {
+    let (engine, reason) = match asked {
+        Engine::Auto if unknowns <= EXPLICIT_UP_TO => (
+            Engine::Explicit,
+            format!("{unknowns} dual unknowns: A is small enough to be formed and factored"),
+        ),
+        Engine::Auto => (
+            Engine::Condensed,
+            format!(
+                "{unknowns} dual unknowns: triangular solves with the contact block of the factor \
+                 cost less than forming A"
+            ),
+        ),
+        asked => (asked, "asked for".to_owned()),
+    };
+    EngineChoice { engine, reason }
+}
+
+/// Orders and factors every body, the bodies side by side.
+///
+/// `contact_last` orders the contact dofs last, which the condensed and the explicit engine need;
+/// without it the ordering is plain nested dissection.
+///
+/// # Errors
+/// When a stiffness matrix is not positive definite.
+pub fn factor(
+    model: &Model,
+    assembled: &Assembled,
+    contact_last: bool,
+) -> Result<Factored, ModelError> {
+    let start = Instant::now();
+    let threads = rayon::current_num_threads();
+    // The bodies share the threads; a body that gets none of its own runs on one.
+    let parallelism = Parallelism::Threads((threads / assembled.bodies.len()).max(1));
+    let parts = assembled
+        .bodies
+        .par_iter()
+        .zip(model.bodies())
+        .map(|(system, body)| {
+            let ordering = if contact_last {
+                Ordering::nested_dissection_with_trailing(&system.stiffness, &system.contact_dofs)
+            } else {
+                Ordering::nested_dissection(&system.stiffness)
+            };
+            let ordering = ordering.map_err(|source| ModelError::Ordering {
+                body: body.name.clone(),
+                source,
+            })?;
+            SparseCholesky::factor(&system.stiffness, ordering, parallelism).map_err(|source| {
+                ModelError::Factorization {
+                    body: body.name.clone(),
+                    source,
+                }
+            })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let seconds = start.elapsed().as_secs_f64();
+    let factors: Vec<_> = parts.into_iter().map(Arc::new).collect();
+    let unconstrained = factors
+        .par_iter()
+        .zip(&assembled.bodies)
+        .map(|(factor, system)| {
+            let mut u = system.free_load();
+            factor.solve_in_place(&mut u);
+            u
+        })
+        .collect();
+    let work = FactorWork {
+        nonzeros: factors
+            .iter()
+            .map(|factor| factor.factor_nonzeros() as f64)
+            .sum(),
+        flops: factors.iter().map(|factor| factor.flops()).sum(),
+        seconds,
+    };
+    Ok(Factored {
+        factors,
+        unconstrained,
+        work,
+    })
+}
+
+/// The dual problem of the model, A applied by the chosen engine.
+///
+/// # Errors
+/// When the dual problem is refused (never for a checked model).
+pub fn dual_problem(
+    assembled: &Assembled,
+    factored: &Factored,
+    engine: Engine,
+) -> Result<DualProblem, ModelError> {
+    let m = assembled.pair_count();
+    let bounds: Vec<f64> = assembled.pairs().map(|pair| pair.slip_bound).collect();
+    let set = ProductSet::contact_3d(&bounds)?;
+
+    // b = B K⁻¹ f − c, c = [d; 0].
+    let mut rhs = vec![0.0; 3 * m];
+    for (system, u) in assembled.bodies.iter().zip(&factored.unconstrained) {
+        add_product(system.coupling.as_ref(), u, &mut rhs);
+    }
+    for (b, pair) in rhs.iter_mut().zip(assembled.pairs()) {
+        *b -= pair.gap;
+    }
+    let groups = groups_of_neighbours(assembled);
+    let problem = match engine {
+        Engine::Factored => {
+            let bodies = assembled
+                .bodies
+                .iter()
+                .zip(&factored.factors)
+                .map(|(system, factor)| {
+                    let coupling = Coupling::new(system.coupling.clone());
+                    (&system.stiffness, Arc::clone(factor), coupling)
+                })
+                .collect();
+            DualProblem::new(FactoredOperator::new(bodies, &groups), rhs, set)
+        }
+        Engine::Condensed => DualProblem::new(condensed(assembled, factored, groups), rhs, set),
+        Engine::Explicit | Engine::Auto => {
+            let all = Parallelism::Threads(rayon::current_num_threads());
+            let explicit = condensed(assembled, factored, groups).explicit(all);
+            DualProblem::new(explicit, rhs, set)
+        }
+    };
+    Ok(problem?)
+}
+
+fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>) -> Condensed {
+    let bodies = assembled
+        .bodies
+        .par_iter()
+        .zip(&factored.factors)
+        .map(|(system, factor)| {
+            let coupling = Coupling::new(system.coupling.clone());
+            (factor.trailing(), coupling.restricted(&system.contact_dofs))
+        })
+        .collect();
+    Condensed::new(bodies, groups)
+}
+
+/// The unknowns of neighbouring pairs, contact by contact: the patches of the local model of A.
+fn groups_of_neighbours(assembled: &Assembled) -> Vec<Vec<usize>> {
+    let mut first = 0;
+    let mut pairs = Vec::new();
+    for contact in &assembled.contacts {
+        let points: Vec<[f64; 3]> = contact.pairs.iter().map(|pair| pair.point).collect();
+        let patches = groups::neighbours(&points, PAIRS_PER_PATCH);
+        pairs.extend(patches.into_iter().map(|patch| {
+            patch.into_iter().map(|i| first + i).collect::<Vec<_>>()
+        }));
+        first += points.len();
+    }
+    groups::unknowns_of_pairs(&pairs, 3)
+}
+
+/// u = K⁻¹(f − Bᵀλ) of each body, over its full dofs.
+pub fn displacements(assembled: &Assembled, factored: &Factored, lambda: &[f64]) -> Vec<Vec<f64>> {
+    let minus: Vec<f64> = lambda.iter().map(|x| -x).collect();
+    assembled
+        .bodies
+        .par_iter()
+        .zip(&factored.factors)
+        .map(|(system, factor)| {
+            let mut u = system.free_load();
+            add_transposed_product(system.coupling.as_ref(), &minus, &mut u);
+            factor.solve_in_place(&mut u);
+            system.dofs.expand(&u)
+        })
+        .collect()
+}

@@ -1,0 +1,114 @@
+//! What can be wrong with a model. Outcomes of a solve are never errors: see
+//! [`tresca_qcqp::Status`].
+
+use tresca_contact::ContactError;
+
+/// Why a model could not be built or solved.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// Two bodies with one name.
+    #[error("there is already a body called `{name}`")]
+    DuplicateBody {
+        /// The name.
+        name: String,
+    },
+    /// A body that does not exist.
+    #[error("there is no body called `{name}`; the bodies are {}", list(known))]
+    UnknownBody {
+        /// The name that was given.
+        name: String,
+        /// The names that exist.
+        known: Vec<String>,
+    },
+    /// A surface that does not exist.
+    #[error(
+        "body `{body}` has no surface `{faces}`; its surfaces are {}",
+        list(known)
+    )]
+    UnknownSurface {
+        /// The body.
+        body: String,
+        /// The surface that was given.
+        faces: String,
+        /// The surfaces of that body.
+        known: Vec<String>,
+    },
+    /// A traction with NaN or infinity.
+    #[error("a traction must be finite, found {value:?}")]
+    NonFiniteTraction {
+        /// What was given.
+        value: [f64; 3],
+    },
+    /// Both sides of a contact on one body.
+    #[error("both sides of a contact lie on body `{body}`; self-contact is not supported")]
+    SelfContact {
+        /// The body.
+        body: String,
+    },
+    /// A model without bodies.
+    #[error("the model has no bodies")]
+    NoBodies,
+    /// A model without contact.
+    #[error("the model has no contact: nothing to solve beyond linear elasticity")]
+    NoContact,
+    /// A body that can move rigidly.
+    #[error(
+        "body `{body}` is not held: its supports leave {} rigid motion(s) free ({}); \
+         floating bodies are not supported yet",
+        motions.len(), motions.join(", ")
+    )]
+    Floating {
+        /// The body.
+        body: String,
+        /// The free motions, in words.
+        motions: Vec<String>,
+    },
+    /// The surfaces of a contact cannot be coupled.
+    #[error("contact {slave} – {master}: {source}")]
+    Coupling {
+        /// Index of the contact in the model.
+        contact: usize,
+        /// The slave surface, as `body.faces`.
+        slave: String,
+        /// The master surface.
+        master: String,
+        /// What is wrong.
+        source: ContactError,
+    },
+    /// Data of a contact alone.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// Mesh, element or material trouble.
+    #[error("body `{body}`: {source}")]
+    Body {
+        /// The body.
+        body: String,
+        /// What is wrong.
+        source: tresca_fem::FemError,
+    },
+    /// The stiffness matrix of a body is not positive definite.
+    #[error("body `{body}`: {source}")]
+    Factorization {
+        /// The body.
+        body: String,
+        /// What is wrong.
+        source: tresca_la::FactorError,
+    },
+    /// No fill-reducing ordering could be made.
+    #[error("body `{body}`: {source}")]
+    Ordering {
+        /// The body.
+        body: String,
+        /// Why.
+        source: tresca_la::OrderingError,
+    },
+    /// The dual problem was refused.
+    #[error(transparent)]
+    Dual(#[from] tresca_qcqp::QcqpError),
+}
+
+fn list(names: &[String]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("`{name}`")).collect();
+    quoted.join(", ")
+}

@@ -1,0 +1,66 @@
+//! Who may import whom. The picture stands in `docs/architecture.md`.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+
+const ALLOWED: [(&str, &[&str]); 7] = [
+    ("tresca-la", &[]),
+    ("tresca-fem", &["tresca-la"]),
+    ("tresca-contact", &["tresca-fem", "tresca-la"]),
+    ("tresca-qcqp", &["tresca-la"]),
+    ("tresca-io", &["tresca-fem", "tresca-la"]),
+    (
+        "tresca",
+        &[
+            "tresca-contact",
+            "tresca-fem",
+            "tresca-io",
+            "tresca-la",
+            "tresca-qcqp",
+        ],
+    ),
+    ("tresca-cli", &["tresca", "tresca-io"]),
+];
+
+#[test]
+fn crates_import_only_what_the_architecture_allows() {
+    let output = Command::new(env!("CARGO"))
+        .args([
+            "metadata",
+            "--no-deps",
+            "--offline",
+            "--format-version",
+            "1",
+        ])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let allowed: BTreeMap<_, _> = ALLOWED.into_iter().collect();
+    let mut seen = BTreeSet::new();
+    for package in metadata["packages"].as_array().unwrap() {
+        let name = package["name"].as_str().unwrap();
+        let permitted = allowed
+            .get(name)
+            .unwrap_or_else(|| panic!("{name} is not in the list of crates above"));
+        seen.insert(name);
+        for dependency in package["dependencies"].as_array().unwrap() {
+            let dependency = dependency["name"].as_str().unwrap();
+            let ours = dependency == "tresca" || dependency.starts_with("tresca-");
+            assert!(
+                !ours || permitted.contains(&dependency),
+                "{name} imports {dependency}; docs/architecture.md does not allow it"
+            );
+        }
+    }
+    assert_eq!(
+        seen.len(),
+        allowed.len(),
+        "a crate of the list is missing: {seen:?}"
+    );
+}

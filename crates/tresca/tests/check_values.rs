@@ -1,0 +1,123 @@
+//! The two bricks at s = 16 against an independent implementation (double precision, solved to 1e-13);
+//! the values stand in the problem's specification, not in any output of this project.
+
+use std::ops::ControlFlow;
+
+use tresca::two_bricks::Units;
+use tresca::{
+    Engine, Method, Outcome, Prepared, Run, Settings, Silent, Summary, prepare, two_bricks,
+};
+
+const OBJECTIVE: f64 = -1.146_894_801_625_5e-3;
+const NORMAL_FORCE_SUM: f64 = 2.052_944_860_7;
+const LARGEST_SLIP: f64 = 1.985_77e-5;
+
+fn prepared(engine: Engine) -> (tresca::Model, Prepared) {
+    let model = two_bricks(16, Units::METRE_MEGAPASCAL).unwrap();
+    let settings = Settings {
+        engine,
+        ..Settings::default()
+    };
+    match prepare(&model, &settings, &mut Silent).unwrap() {
+        ControlFlow::Continue(prepared) => (model, prepared),
+        ControlFlow::Break(_) => unreachable!("nobody stops this run"),
+    }
+}
+
+fn outcome(model: &tresca::Model, prepared: &mut Prepared, settings: &Settings) -> Outcome {
+    match prepared.solve(model, settings, &mut Silent).unwrap() {
+        Run::Finished(outcome) => *outcome,
+        Run::Stopped(_) => unreachable!("nobody stops this run"),
+    }
+}
+
+fn assert_check_values(outcome: &Outcome, relative: f64) {
+    let name = format!(
+        "{} {:?}",
+        outcome.solution.method, outcome.description.engine.engine
+    );
+    assert!(outcome.converged(), "{name}: {}", outcome.solution.status);
+    let summary = Summary::new("", outcome, 0.0);
+    let close = |found: f64, expected: f64, relative: f64| {
+        assert!(
+            ((found - expected) / expected).abs() < relative,
+            "{name}: found {found:.13e}, expected {expected:.13e}"
+        );
+    };
+    close(summary.dual_objective, OBJECTIVE, relative);
+    close(summary.contact.normal_force_sum, NORMAL_FORCE_SUM, relative);
+    // Six digits are known of this one.
+    close(summary.contact.max_slip_component, LARGEST_SLIP, 3e-6);
+    let contact = &summary.contact;
+    assert_eq!(
+        (contact.pairs, contact.closed, contact.stick),
+        (256, 116, 64),
+        "{name}"
+    );
+    assert!(
+        outcome.pairs().all(|pair| !(pair.closed && pair.stick)),
+        "{name}: every closed pair slips"
+    );
+    assert!(
+        outcome.certificate.worst() < 1e-7,
+        "{name}: {:?}",
+        outcome.certificate
+    );
+}
+
+#[test]
+fn every_method_finds_the_check_values_of_the_two_bricks() {
+    let (model, mut prepared) = prepared(Engine::Explicit);
+    for &method in Method::ALL {
+        let settings = Settings {
+            method,
+            tolerance: 1e-10,
+            max_iterations: 20_000,
+            engine: Engine::Explicit,
+            ..Settings::default()
+        };
+        let outcome = outcome(&model, &mut prepared, &settings);
+        assert_check_values(&outcome, 1e-9);
+    }
+}
+
+#[test]
+fn every_engine_finds_the_check_values_of_the_two_bricks() {
+    for engine in [Engine::Factored, Engine::Condensed, Engine::Explicit] {
+        let (model, mut prepared) = prepared(engine);
+        let settings = Settings {
+            tolerance: 1e-10,
+            engine,
+            ..Settings::default()
+        };
+        let outcome = outcome(&model, &mut prepared, &settings);
+        assert_check_values(&outcome, 1e-9);
+        assert_eq!(outcome.description.engine.engine, engine);
+    }
+}
+
+/// The target of the project at the smallest size; `tresca bench table1` prints it for all.
+#[test]
+fn grssn_stays_within_its_budget_of_multiplications() {
+    let (model, mut prepared) = prepared(Engine::Condensed);
+    let mut run = |method, tolerance| {
+        let settings = Settings {
+            method,
+            tolerance,
+            engine: Engine::Condensed,
+            ..Settings::default()
+        };
+        outcome(&model, &mut prepared, &settings).solution
+    };
+    for (tolerance, steps, budget) in [(1e-6, 10, 100), (1e-10, 14, 220)] {
+        let grssn = run(Method::Grssn, tolerance);
+        let apgd = run(Method::Apgd, tolerance);
+        assert!(grssn.iterations <= steps && grssn.n_a - grssn.n_a_setup <= budget);
+        assert!(
+            10 * grssn.n_a <= 6 * apgd.n_a,
+            "{} against {}",
+            grssn.n_a,
+            apgd.n_a
+        );
+    }
+}

@@ -1,0 +1,172 @@
+//! What must not matter: units, the names of the two sides, a mirror, the number of threads.
+
+use tresca::material::Isotropic;
+use tresca::mesh::{BrickSpec, brick};
+use tresca::two_bricks::Units;
+use tresca::{
+    Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef, solve,
+    two_bricks,
+};
+
+const S: usize = 9;
+
+fn run_with(model: &Model, method: Method, engine: Engine) -> Outcome {
+    let settings = Settings {
+        tolerance: 1e-10,
+        method,
+        engine,
+        ..Settings::default()
+    };
+    match solve(model, &settings, &mut Silent).unwrap() {
+        Run::Finished(outcome) => *outcome,
+        Run::Stopped(_) => unreachable!("nobody stops this run"),
+    }
+}
+
+fn run(model: &Model) -> Outcome {
+    run_with(model, Method::Grssn, Engine::Condensed)
+}
+
+fn assert_close(found: &[f64], expected: &[f64], relative: f64) {
+    assert_eq!(found.len(), expected.len());
+    let scale = expected.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    let error = found
+        .iter()
+        .zip(expected)
+        .fold(0.0, |a: f64, (x, y)| a.max((x - y).abs()));
+    assert!(
+        error <= relative * scale,
+        "error {error:e}, scale {scale:e}"
+    );
+}
+
+#[test]
+fn counts_do_not_depend_on_units_and_the_answer_converts() {
+    for method in [Method::Grssn, Method::Imssn, Method::Apgd] {
+        let units = [
+            Units::METRE_MEGAPASCAL,
+            Units::MILLIMETRE_MEGAPASCAL,
+            Units::SI,
+        ];
+        let outcomes =
+            units.map(|units| run_with(&two_bricks(S, units).unwrap(), method, Engine::Condensed));
+        let reference = &outcomes[0].solution;
+        for (units, outcome) in units.iter().zip(&outcomes).skip(1) {
+            let solution = &outcome.solution;
+            assert!(outcome.converged());
+            assert!(
+                solution.iterations.abs_diff(reference.iterations) <= 1
+                    && solution.n_a.abs_diff(reference.n_a) <= 1,
+                "{method} in {units:?}: {} / {} instead of {} / {}",
+                solution.iterations,
+                solution.n_a,
+                reference.iterations,
+                reference.n_a
+            );
+            let force = units.stress * units.length.powi(2);
+            let converted: Vec<f64> = solution.lambda.iter().map(|x| x / force).collect();
+            assert_close(&converted, &reference.lambda, 1e-8);
+        }
+    }
+}
+
+/// The benchmark with its y extent and the roles of the two sides to choose.
+fn variant(y: [f64; 2], swapped: bool) -> Model {
+    let surface = |body, faces| SurfaceRef { body, faces };
+    let mut model = Model::new("variant");
+    for (name, low, poisson) in [("upper", 1.0, 0.277), ("lower", 0.0, 0.35)] {
+        let spec = BrickSpec {
+            min: [0.0, y[0], low],
+            max: [2.0, y[1], low + 1.0],
+            nodes: [S; 3],
+        };
+        let material = Isotropic::new(5.0e4, poisson).unwrap();
+        model
+            .add_body(name, brick(&spec).unwrap(), material)
+            .unwrap();
+    }
+    model.clamp(surface("upper", "x+")).unwrap();
+    model.clamp(surface("lower", "x-")).unwrap();
+    // A sideways part, so that the problem itself is not symmetric in y.
+    let sideways = if y[0] < 0.0 { -0.3 } else { 0.3 };
+    model
+        .add_traction(&[surface("upper", "z+")], [0.0, sideways, -1.0])
+        .unwrap();
+    let sides = [surface("upper", "z-"), surface("lower", "z+")];
+    let (slave, master) = if swapped {
+        (sides[1], sides[0])
+    } else {
+        (sides[0], sides[1])
+    };
+    model
+        .add_contact(slave, master, FrictionLaw::Tresca { bound: 0.09 })
+        .unwrap();
+    model
+}
+
+/// Displacements of all bodies in one list, their y components times `sign`, nodes in the
+/// order of a body whose y axis is reversed when `sign` is −1.
+fn displacements(outcome: &Outcome, sign: f64) -> Vec<f64> {
+    let mut all = Vec::new();
+    for u in &outcome.displacements {
+        for z in 0..S {
+            for y in 0..S {
+                let y = if sign < 0.0 { S - 1 - y } else { y };
+                for x in 0..S {
+                    let node = x + S * (y + S * z);
+                    all.extend([u[3 * node], sign * u[3 * node + 1], u[3 * node + 2]]);
+                }
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn master_and_slave_are_names_only() {
+    let (plain, swapped) = (
+        run(&variant([0.0, 1.0], false)),
+        run(&variant([0.0, 1.0], true)),
+    );
+    assert_close(
+        &displacements(&swapped, 1.0),
+        &displacements(&plain, 1.0),
+        1e-9,
+    );
+    assert_eq!(
+        plain.solution.active_set.counts(),
+        swapped.solution.active_set.counts()
+    );
+}
+
+#[test]
+fn a_mirrored_problem_has_the_mirrored_answer() {
+    let (plain, mirrored) = (
+        run(&variant([0.0, 1.0], false)),
+        run(&variant([-1.0, 0.0], false)),
+    );
+    assert_close(
+        &displacements(&mirrored, -1.0),
+        &displacements(&plain, 1.0),
+        1e-9,
+    );
+    assert_eq!(
+        plain.solution.active_set.counts(),
+        mirrored.solution.active_set.counts()
+    );
+}
+
+#[test]
+fn one_thread_and_two_give_the_same_counts() {
+    let with_threads = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| run(&two_bricks(S, Units::METRE_MEGAPASCAL).unwrap()))
+    };
+    let (one, two) = (with_threads(1), with_threads(2));
+    assert_eq!(one.solution.iterations, two.solution.iterations);
+    assert_eq!(one.solution.n_a, two.solution.n_a);
+    assert_close(&one.solution.lambda, &two.solution.lambda, 1e-10);
+}
