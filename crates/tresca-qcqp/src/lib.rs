@@ -17,6 +17,24 @@
 //! reduced gradient, r(λ) = Aλ − b, P_Λ the projection and ρ = 1/σmax, σmax
 //! estimated by a few Lanczos steps.
 //!
+//! ```
+//! use tresca_la::PackedLower;
+//! use tresca_qcqp::{DualProblem, ProductSet, Settings, Silent, operator::Dense, solve};
+//!
+//! // One pair with slip bound 1 and A = I: the solution is the projection of b.
+//! let mut a = PackedLower::zeros(3);
+//! (0..3).for_each(|i| a.set(i, i, 1.0));
+//! let set = ProductSet::contact_3d(&[1.0])?;
+//! let mut problem = DualProblem::new(Dense::new(a), vec![2.0, 3.0, 4.0], set)?;
+//! let solution = solve(&mut problem, &Settings::default(), None, &mut Silent)?;
+//!
+//! assert!(solution.status.is_converged());
+//! for (found, expected) in solution.lambda.iter().zip([2.0, 0.6, 0.8]) {
+//!     assert!((found - expected).abs() < 1e-8);
+//! }
+//! # Ok::<(), tresca_qcqp::QcqpError>(())
+//! ```
+//!
 //! # Symbols
 //!
 //! | in the code | meaning |

@@ -15,6 +15,7 @@ use tresca_la::krylov::Identity;
 /// From P_Λ(λ − ρ r(λ)), CG on the active unknowns, which stops before an iterate leaves Λ.
 pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let mut precision = AdaptivePrecision::new(run.settings);
+    let mut trial = vec![0.0; start.lambda.len()];
     let mut x = start;
     let mut step = Step::START;
     loop {
@@ -29,12 +30,10 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         x = run.point_unless(y, &x);
         let set = run.set;
         let stays_inside = |x: &Point, step: &Move| {
-            let trial = x
-                .lambda
-                .iter()
-                .zip(step.direction)
-                .map(|(l, d)| l + step.alpha * d);
-            set.contains(&trial.collect::<Vec<_>>())
+            for (trial, (l, d)) in trial.iter_mut().zip(x.lambda.iter().zip(step.direction)) {
+                *trial = l + step.alpha * d;
+            }
+            set.contains(&trial)
         };
         let identity = &mut Identity(space.dim());
         step = Step::full(conjugate_gradients(

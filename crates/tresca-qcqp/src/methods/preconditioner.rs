@@ -12,9 +12,9 @@ use crate::operator::{LocalBlock, LocalModel};
 use crate::reduced::{Column, ReducedSpace, galerkin};
 use faer::linalg::matmul::matmul;
 use faer::linalg::solvers::{Llt, Solve};
-use faer::{Accum, Col, ColMut, ColRef, Mat, Par, Side};
+use faer::{Accum, ColMut, ColRef, Mat, Par, Side};
 use rayon::prelude::*;
-use tresca_la::LinearOperator;
+use tresca_la::{LinearOperator, PackedLower};
 
 /// M⁻¹.
 pub(super) struct Preconditioner {
@@ -25,8 +25,8 @@ pub(super) struct Preconditioner {
 impl Preconditioner {
     /// M for the space of Z and C.
     pub fn new(space: &ReducedSpace, model: &LocalModel, recycled: &RecycledProducts) -> Self {
-        let local = LocalInverse::new(space, model);
-        let low_rank = LowRank::new(space, &local, recycled);
+        let mut local = LocalInverse::new(space, model);
+        let low_rank = LowRank::new(space, &mut local, recycled);
         Self { local, low_rank }
     }
 }
@@ -50,6 +50,8 @@ struct LocalInverse {
     dim: usize,
     blocks: Vec<(Vec<usize>, Mat<f64>)>,
     diagonal: Vec<f64>,
+    /// The part of a vector that belongs to one block.
+    own: Vec<f64>,
 }
 
 impl LocalInverse {
@@ -66,21 +68,23 @@ impl LocalInverse {
                     dim,
                     blocks: Vec::new(),
                     diagonal: columns.iter().map(entry).collect(),
+                    own: Vec::new(),
                 }
             }
             LocalModel::Blocks(blocks) => Self {
                 dim,
                 blocks: invert_blocks(&columns, blocks),
                 diagonal: Vec::new(),
+                own: Vec::new(),
             },
         }
     }
 
-    fn solve_in_place(&self, z: &mut [f64]) {
+    fn solve_in_place(&mut self, z: &mut [f64]) {
         for (z, d) in z.iter_mut().zip(&self.diagonal) {
             *z *= d;
         }
-        let mut own = Vec::new();
+        let own = &mut self.own;
         for (members, inverse) in &self.blocks {
             own.clear();
             own.extend(members.iter().map(|&k| z[k]));
@@ -145,15 +149,15 @@ fn invert_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, 
 struct LowRank {
     v: Mat<f64>,
     scaled: Mat<f64>,
-    capacitance: Llt<f64>,
-    share: Col<f64>,
+    capacitance: PackedLower,
+    share: Vec<f64>,
 }
 
 impl LowRank {
     /// `None` when nothing is kept yet (or the small matrix is not finite: D alone then serves).
     fn new(
         space: &ReducedSpace,
-        local: &LocalInverse,
+        local: &mut LocalInverse,
         recycled: &RecycledProducts,
     ) -> Option<Self> {
         let (rows, rank) = (space.dim(), recycled.len());
@@ -181,32 +185,28 @@ impl LowRank {
         Some(Self {
             v,
             scaled,
-            capacitance,
-            share: Col::zeros(rank),
+            capacitance: PackedLower::from_lower(capacitance.L()),
+            share: vec![0.0; rank],
         })
     }
 
     /// z ← z − D⁻¹V (I + VᵀD⁻¹V)⁻¹ Vᵀ z, for z = D⁻¹ r.
     fn correct(&mut self, z: &mut [f64]) {
-        let share = self.share.as_mut();
+        let v = self.v.transpose();
+        let share = ColMut::from_slice_mut(&mut self.share);
         matmul(
             share,
             Accum::Replace,
-            self.v.transpose(),
+            v,
             ColRef::from_slice(z),
             1.0,
             Par::Seq,
         );
-        self.capacitance.solve_in_place(self.share.as_mut());
+        self.capacitance.solve_lower_in_place(&mut self.share);
+        self.capacitance.solve_upper_in_place(&mut self.share);
+        let share = ColRef::from_slice(&self.share);
         let z = ColMut::from_slice_mut(z);
-        matmul(
-            z,
-            Accum::Add,
-            self.scaled.as_ref(),
-            self.share.as_ref(),
-            -1.0,
-            Par::Seq,
-        );
+        matmul(z, Accum::Add, self.scaled.as_ref(), share, -1.0, Par::Seq);
     }
 }
 
@@ -214,7 +214,7 @@ impl LowRank {
 mod tests {
     use super::*;
     use crate::sets::ProductSet;
-    use faer::Mat;
+    use faer::Col;
 
     const PAIRS: usize = 7;
     const DIM: usize = 3 * PAIRS;

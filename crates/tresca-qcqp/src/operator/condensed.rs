@@ -29,7 +29,7 @@ impl Condensed {
     /// From the trailing block of every body and B_i restricted to the trailing
     /// dofs (columns in their order). `groups` partitions the unknowns for the
     /// local model: patches of neighbouring pairs are best, single pairs serve
-    /// (see [`groups`](super::groups)).
+    /// (see [`groups`](super::groups)); the components of a disc belong together.
     ///
     /// # Panics
     /// When the sizes do not fit, there is no body, or `groups` is no partition.

@@ -26,7 +26,8 @@ pub struct Factored {
 
 impl Factored {
     /// From the stiffness of every body, its factor and B_i. The stiffness is
-    /// only read here; `groups` partitions the unknowns for the local model.
+    /// only read here; `groups` partitions the unknowns for the local model, the
+    /// components of a disc together.
     ///
     /// # Panics
     /// When the sizes do not fit, there is no body, or `groups` is no partition.

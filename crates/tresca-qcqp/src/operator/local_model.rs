@@ -13,7 +13,7 @@ use rayon::prelude::*;
 pub enum LocalModel {
     /// D is diagonal.
     Diagonal(Vec<f64>),
-    /// D has dense blocks; every unknown belongs to exactly one.
+    /// D has dense blocks; every unknown belongs to exactly one, the components of a disc to the same.
     Blocks(Vec<LocalBlock>),
 }
 
