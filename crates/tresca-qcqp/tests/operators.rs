@@ -6,6 +6,7 @@ use common::problems::{normals, rng};
 use common::{distance, dot, norm, settings};
 use faer::sparse::{SparseColMat, SparseRowMat, Triplet};
 use faer::{Mat, Side, prelude::Solve};
+use std::sync::Arc;
 use tresca_la::{Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 use tresca_qcqp::operator::{Condensed, Coupling, Dense, Factored, LocalModel, groups};
 use tresca_qcqp::{
@@ -94,7 +95,7 @@ fn factored(patches: &[Vec<usize>]) -> Factored {
     let parts = bodies.iter().zip(&stiffness).map(|(body, stiffness)| {
         let ordering = Ordering::nested_dissection(stiffness).unwrap();
         let cholesky =
-            SparseCholesky::factor(stiffness, ordering, Parallelism::Sequential).unwrap();
+            Arc::new(SparseCholesky::factor(stiffness, ordering, Parallelism::Sequential).unwrap());
         (stiffness, cholesky, body.coupling())
     });
     Factored::new(parts.collect(), patches)
