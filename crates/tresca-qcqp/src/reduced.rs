@@ -15,7 +15,8 @@
 
 use crate::sets::{BlockSet, BlockState, ProductSet};
 use crate::{ActiveSet, DualOperator};
-use faer::Mat;
+use faer::{ColMut, Mat};
+use rayon::prelude::*;
 use tresca_la::{LinearOperator, PackedLower};
 
 /// The direction in which a slipping pair may move.
@@ -128,10 +129,35 @@ impl ReducedSpace {
         }
     }
 
-    /// ZᵀAZ + C as a dense matrix, lower triangle only.
+    /// ZᵀAZ + C as a dense matrix, lower triangle only. Columns are computed side by side.
     pub fn assemble(&self, a: &PackedLower) -> Mat<f64> {
         let columns: Vec<Column> = self.columns().collect();
-        galerkin(&columns, |i, j| a.get(i.max(j), i.min(j)))
+        let order = columns.len();
+        let mut matrix = Mat::zeros(order, order);
+        let one = |(j, mut out): (usize, ColMut<'_, f64>)| {
+            let own = columns[j];
+            // A z_j where it is needed, then Zᵀ of it.
+            let entry = |row: usize| {
+                let of = |i: usize| a.get(i.max(row), i.min(row));
+                let first = own.weights[0] * of(own.rows[0]);
+                if own.weights[1] == 0.0 {
+                    first
+                } else {
+                    first + own.weights[1] * of(own.rows[1])
+                }
+            };
+            for (i, column) in columns.iter().enumerate().skip(j) {
+                let first = column.weights[0] * entry(column.rows[0]);
+                let second = match column.weights[1] {
+                    0.0 => 0.0,
+                    weight => weight * entry(column.rows[1]),
+                };
+                out[i] = first + second;
+            }
+            out[j] += own.curvature;
+        };
+        matrix.as_mut().par_col_iter_mut().enumerate().for_each(one);
+        matrix
     }
 }
 

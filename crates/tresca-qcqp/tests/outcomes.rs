@@ -115,7 +115,7 @@ fn what_is_returned_belongs_together() {
                 BlockSet::HalfLine(_) => {
                     assert_eq!(x[0] > 0.0, *state == tresca_qcqp::sets::BlockState::Free);
                 }
-                BlockSet::Disc(Disc { bound }) if bound == 0.0 => assert_eq!(x, [0.0, 0.0]),
+                BlockSet::Disc(Disc { bound: 0.0 }) => assert_eq!(x, [0.0, 0.0]),
                 BlockSet::Disc(Disc { bound }) => {
                     let on_circle = x[0].hypot(x[1]) >= bound * (1.0 - 1e-9);
                     assert_eq!(on_circle, *state == tresca_qcqp::sets::BlockState::Bound);

@@ -87,8 +87,8 @@ fn projected_gradient_point(run: &mut Run, lambda: &Point) -> (Point, ActiveSet)
         let active = run.set.classify(&y);
         run.set.project(&mut y);
         let x = run.point_unless(y, lambda);
-        // Negated so that a NaN ends the loop.
-        if !(x.objective_change_from(lambda) > rounding(run, lambda, &x)) {
+        let rises = x.objective_change_from(lambda) > rounding(run, lambda, &x);
+        if !rises {
             return (x, active);
         }
         run.rho *= 0.5;

@@ -64,14 +64,20 @@ pub(super) fn conjugate_gradients<M: LinearOperator>(
     iterations
 }
 
+/// Up to this order factoring the active block costs less than a few multiplications.
+const SMALL: usize = 300;
+
 /// Solves the system by Cholesky when A is explicit and the settings allow it,
 /// at the price of one multiplication for the new gradient. `false`, and `x`
-/// unchanged, when there is no explicit A or the block is not positive definite.
+/// unchanged, when that is not so or the block is not positive definite.
 pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool {
-    if run.settings.inner_solver == InnerSolver::Iterative || space.dim() == 0 {
-        return false;
-    }
-    let Some(matrix) = run.operator.explicit() else {
+    let wanted = match run.settings.inner_solver {
+        InnerSolver::Auto => space.dim() <= SMALL,
+        InnerSolver::Iterative => false,
+        InnerSolver::Direct => true,
+    };
+    let explicit = run.operator.explicit();
+    let Some(matrix) = explicit.filter(|_| wanted && space.dim() > 0) else {
         return false;
     };
     let Ok(factor) = Llt::new(space.assemble(matrix).as_ref(), Side::Lower) else {

@@ -209,3 +209,114 @@ impl LowRank {
         );
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sets::ProductSet;
+    use faer::Mat;
+
+    const PAIRS: usize = 7;
+    const DIM: usize = 3 * PAIRS;
+
+    fn entry(seed: usize, i: usize, j: usize) -> f64 {
+        (((i + 3) * (j + 5) * (seed + 7)) as f64).sin()
+    }
+
+    /// A fixed SPD matrix without structure.
+    fn matrix(seed: usize) -> Mat<f64> {
+        let root = Mat::from_fn(DIM, DIM, |i, j| entry(seed, i, j));
+        &root * root.transpose() + Mat::<f64>::identity(DIM, DIM)
+    }
+
+    fn recycled(a: &Mat<f64>, count: usize) -> RecycledProducts {
+        let mut recycled = RecycledProducts::new(6);
+        for k in 0..count {
+            let p = Col::from_fn(DIM, |i| entry(k, i, 2 * k));
+            let w = a * &p;
+            let slice = |c: &Col<f64>| c.iter().copied().collect::<Vec<_>>();
+            recycled.offer(&slice(&p), &slice(&w));
+            // What is known already is not kept twice.
+            let before = recycled.len();
+            recycled.offer(&slice(&p), &slice(&w));
+            assert_eq!(recycled.len(), before);
+        }
+        recycled
+    }
+
+    fn columns<'a>(vectors: impl Iterator<Item = &'a [f64]>) -> Mat<f64> {
+        let vectors: Vec<_> = vectors.collect();
+        Mat::from_fn(DIM, vectors.len(), |i, j| vectors[j][i])
+    }
+
+    #[test]
+    fn recycled_directions_are_orthonormal_and_their_products_exact() {
+        let a = matrix(1);
+        let recycled = recycled(&a, 9);
+        assert_eq!(recycled.len(), 6, "the capacity holds");
+        let (p, w) = (columns(recycled.directions()), columns(recycled.products()));
+        let gram = p.transpose() * &w - Mat::<f64>::identity(6, 6);
+        assert!(gram.norm_max() <= 1e-12);
+        assert!((&a * &p - &w).norm_max() <= 1e-11 * a.norm_max());
+        // WWᵀ never exceeds A.
+        let rest = &a - &w * w.transpose();
+        assert!(rest.self_adjoint_eigenvalues(Side::Lower).unwrap()[0] >= -1e-11 * a.norm_max());
+    }
+
+    /// M⁻¹ against the dense inverse of Zᵀ(D + WWᵀ)Z + C, D as vector and as blocks.
+    #[test]
+    fn preconditioner_is_the_inverse_of_its_matrix() {
+        let a = matrix(2);
+        let bounds = [0.5, 0.0, 2.0, 1.0, 0.3, 1.5, 0.8];
+        let set = ProductSet::contact_3d(&bounds).unwrap();
+        let y: Vec<f64> = (0..DIM).map(|i| entry(4, i, 1)).collect();
+        let active = set.classify(&y);
+        let space = ReducedSpace::with_tangents(&set, &active, &y, |i, bound| i as f64 + bound);
+        let groups =
+            crate::operator::groups::unknowns_of_pairs(&[vec![0, 3, 4], vec![6], vec![1, 2, 5]], 3);
+        let block = |unknowns: &Vec<usize>| LocalBlock {
+            unknowns: unknowns.clone(),
+            matrix: Mat::from_fn(unknowns.len(), unknowns.len(), |i, j| {
+                a[(unknowns[i], unknowns[j])]
+            }),
+        };
+        let models = [
+            LocalModel::Diagonal((0..DIM).map(|i| a[(i, i)]).collect()),
+            LocalModel::Blocks(groups.iter().map(block).collect()),
+        ];
+        for model in models {
+            for count in [0, 4] {
+                let recycled = recycled(&a, count);
+                let w = columns(recycled.products());
+                let mut full = &w * w.transpose();
+                match &model {
+                    LocalModel::Diagonal(d) => (0..DIM).for_each(|i| full[(i, i)] += d[i]),
+                    LocalModel::Blocks(blocks) => {
+                        for block in blocks {
+                            for (row, &i) in block.unknowns.iter().enumerate() {
+                                for (column, &j) in block.unknowns.iter().enumerate() {
+                                    full[(i, j)] += block.matrix[(row, column)];
+                                }
+                            }
+                        }
+                    }
+                }
+                let columns: Vec<Column> = space.columns().collect();
+                let lower = galerkin(&columns, |i, j| full[(i, j)]);
+                let mut preconditioner = Preconditioner::new(&space, &model, &recycled);
+                let r: Vec<f64> = (0..space.dim()).map(|i| entry(5, i, 3)).collect();
+                let mut z = vec![f64::NAN; space.dim()];
+                preconditioner.apply(&r, &mut z);
+                for (i, r) in r.iter().enumerate() {
+                    let product: f64 = (0..z.len())
+                        .map(|j| lower[(i.max(j), i.min(j))] * z[j])
+                        .sum();
+                    assert!(
+                        (product - r).abs() <= 1e-10,
+                        "row {i}: {product} is not {r}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -34,6 +34,12 @@ impl RecycledProducts {
         self.directions.len()
     }
 
+    /// The directions P, one by one.
+    #[cfg(test)]
+    pub fn directions(&self) -> impl Iterator<Item = &[f64]> {
+        self.directions.iter().map(Vec::as_slice)
+    }
+
     /// The products W, one by one.
     pub fn products(&self) -> impl Iterator<Item = &[f64]> {
         self.products.iter().map(Vec::as_slice)

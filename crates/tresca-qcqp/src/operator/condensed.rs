@@ -59,7 +59,7 @@ impl Condensed {
 
     /// Forms A as a dense matrix: about n_c³ flops per body for the inverse of
     /// S, and one product with B from either side. Pays when many
-    /// multiplications follow. The local model becomes the exact diagonal.
+    /// multiplications follow. The local model stays the same.
     pub fn explicit(&self, parallelism: Parallelism) -> Dense {
         let rows = self.dim();
         let mut packed = PackedLower::zeros(rows);
@@ -81,7 +81,7 @@ impl Condensed {
                 }
             }
         }
-        Dense::new(packed)
+        Dense::with_local_model(packed, self.local_model())
     }
 
     /// The entries A_kk, A_{k+1,k}, ….

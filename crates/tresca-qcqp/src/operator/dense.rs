@@ -7,13 +7,26 @@ use tresca_la::PackedLower;
 #[derive(Clone, Debug)]
 pub struct Dense {
     matrix: PackedLower,
+    local_model: LocalModel,
     count: usize,
 }
 
 impl Dense {
-    /// From the lower triangle of A.
+    /// From the lower triangle of A. Its diagonal is the local model.
     pub fn new(matrix: PackedLower) -> Self {
-        Self { matrix, count: 0 }
+        let diagonal = (0..matrix.order()).map(|i| matrix.get(i, i)).collect();
+        Self::with_local_model(matrix, LocalModel::Diagonal(diagonal))
+    }
+
+    /// From the lower triangle of A, with a better local model than its
+    /// diagonal. Diagonal blocks of A itself are none: they hold the global modes
+    /// already, which the methods add from the products they have seen.
+    pub fn with_local_model(matrix: PackedLower, local_model: LocalModel) -> Self {
+        Self {
+            matrix,
+            local_model,
+            count: 0,
+        }
     }
 }
 
@@ -31,7 +44,7 @@ impl DualOperator for Dense {
     }
 
     fn local_model(&self) -> LocalModel {
-        LocalModel::Diagonal((0..self.dim()).map(|i| self.matrix.get(i, i)).collect())
+        self.local_model.clone()
     }
 
     fn explicit(&self) -> Option<&PackedLower> {

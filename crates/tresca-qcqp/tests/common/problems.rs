@@ -1,4 +1,5 @@
 //! Random problems with known spectrum.
+#![allow(clippy::needless_range_loop)] // loops over indices, as in the formulas
 
 use super::Plain;
 use rand::rngs::StdRng;
