@@ -1,6 +1,6 @@
 //! The result files of a run.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -24,15 +24,30 @@ const CONTACT: &str = "contact";
 /// A directory that result files can be written to. Made before a run, so that a run does not
 /// find out at its end that it has no place for its results.
 #[derive(Debug)]
-pub struct Destination(OutputSet);
+pub struct Destination {
+    directory: PathBuf,
+}
 
 impl Destination {
-    /// Makes the directory where it is missing.
+    /// A directory that exists or can be made; nothing is made yet.
     ///
     /// # Errors
-    /// When it cannot be made.
+    /// When a file stands where the directory, or one of its parents, should be.
     pub fn new(directory: &Path) -> Result<Self, WriteError> {
-        OutputSet::new(directory).map(Self)
+        let existing = directory.ancestors().find(|path| path.exists());
+        if let Some(obstacle) = existing.filter(|path| !path.is_dir()) {
+            return Err(WriteError::Io {
+                action: "create the directory",
+                path: directory.to_owned(),
+                source: std::io::Error::new(
+                    std::io::ErrorKind::NotADirectory,
+                    format!("`{}` is a file", obstacle.display()),
+                ),
+            });
+        }
+        Ok(Self {
+            directory: directory.to_owned(),
+        })
     }
 
     /// Writes all files of a run: `<body>.vtu`, `contact.vtu`, `<name>.pvd` that opens them together,
@@ -48,7 +63,7 @@ impl Destination {
         outcome: &Outcome,
     ) -> Result<Summary, WriteError> {
         let begin = Instant::now();
-        let Destination(mut files) = self;
+        let mut files = OutputSet::new(self.directory)?;
         let facts = facts(model, outcome);
         let stresses: Vec<Vec<[f64; 6]>> = model
             .bodies()
