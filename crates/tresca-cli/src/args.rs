@@ -33,12 +33,12 @@ pub enum Command {
 pub struct SolveArguments {
     /// The case file (TOML; see docs/case-file.md).
     pub case: PathBuf,
-    /// Directory for the results [default: out/<case name>].
+    /// Directory for the results (default: `out/` and the case's name).
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     #[command(flatten)]
     pub solver: SolverArguments,
-    /// Number of threads [default: all processors].
+    /// Number of threads (default: all processors).
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Print nothing but errors.
@@ -60,7 +60,7 @@ pub struct SolverArguments {
     pub max_iterations: Option<usize>,
     #[arg(long, value_name = "NAME", help = option_help("engine"))]
     pub engine: Option<Engine>,
-    /// Any solver option, as in the case file's [solver] table; `tresca options` lists them.
+    /// Any solver option, as under `[solver]` in the case file; `tresca options` lists them.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
@@ -91,7 +91,7 @@ pub struct Table1Arguments {
     pub paper_tolerance: f64,
     #[arg(long, value_name = "NAME", default_value_t = Engine::Condensed, help = option_help("engine"))]
     pub engine: Engine,
-    /// Number of threads [default: all processors].
+    /// Number of threads (default: all processors).
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Leave out IMSSN, SSN and APGD: GRSSN and the ratio to the linear solve alone.

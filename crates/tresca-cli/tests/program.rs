@@ -26,7 +26,10 @@ impl Scene {
 
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tresca"));
-        command.args(arguments).current_dir(self.0.path()).env("NO_COLOR", "1");
+        command
+            .args(arguments)
+            .current_dir(self.0.path())
+            .env("NO_COLOR", "1");
         command
     }
 
@@ -63,10 +66,24 @@ fn solve_writes_everything_and_says_converged() {
     let output = scene.tresca(&["solve", "small.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = stdout(&output);
-    for part in ["Two bricks", "n_A", "converged: grssn", "duality gap", "balance of upper", "peak memory"] {
+    for part in [
+        "Two bricks",
+        "n_A",
+        "converged: grssn",
+        "duality gap",
+        "balance of upper",
+        "peak memory",
+    ] {
         assert!(text.contains(part), "no `{part}` in:\n{text}");
     }
-    let files = ["contact.vtu", "history.csv", "lower.vtu", "small.pvd", "summary.json", "upper.vtu"];
+    let files = [
+        "contact.vtu",
+        "history.csv",
+        "lower.vtu",
+        "small.pvd",
+        "summary.json",
+        "upper.vtu",
+    ];
     assert_eq!(names(&scene.path("out/small")), files);
 
     let summary = scene.summary("out/small");
@@ -75,22 +92,49 @@ fn solve_writes_everything_and_says_converged() {
     assert_eq!(summary["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(summary["settings"]["tolerance"], 1e-8);
     for key in [
-        "/method", "/iterations", "/n_a", "/n_a_setup", "/relative_reduced_gradient", "/dual_objective",
-        "/contact/closed", "/contact/stick", "/contact/slip", "/contact/normal_force_sum",
-        "/contact/max_slip_component", "/contact/max_gap", "/certificate/equilibrium",
-        "/certificate/duality_gap", "/times/assembly", "/times/factorization", "/times/solve",
-        "/times/total", "/settings/method",
+        "/method",
+        "/iterations",
+        "/n_a",
+        "/n_a_setup",
+        "/relative_reduced_gradient",
+        "/dual_objective",
+        "/contact/closed",
+        "/contact/stick",
+        "/contact/slip",
+        "/contact/normal_force_sum",
+        "/contact/max_slip_component",
+        "/contact/max_gap",
+        "/certificate/equilibrium",
+        "/certificate/duality_gap",
+        "/times/assembly",
+        "/times/factorization",
+        "/times/solve",
+        "/times/total",
+        "/settings/method",
     ] {
-        assert!(summary.pointer(key).is_some_and(|value| !value.is_null()), "{key}");
+        assert!(
+            summary.pointer(key).is_some_and(|value| !value.is_null()),
+            "{key}"
+        );
     }
     let history = fs::read_to_string(scene.path("out/small/history.csv")).unwrap();
-    assert_eq!(history.lines().count() as u64, 2 + summary["iterations"].as_u64().unwrap());
+    assert_eq!(
+        history.lines().count() as u64,
+        2 + summary["iterations"].as_u64().unwrap()
+    );
 }
 
 #[test]
 fn an_unconverged_run_is_written_marked_and_has_exit_code_1() {
     let scene = Scene::new(&small_case());
-    let output = scene.tresca(&["solve", "small.toml", "--out", "here", "--max-iterations", "2"]);
+    let output = scene.tresca(&[
+        "solve",
+        "small.toml",
+        "--out",
+        "here",
+        "--max-iterations",
+        "2",
+    ]);
     assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
     assert!(stdout(&output).contains("NOT CONVERGED (iteration_limit)"));
     let summary = scene.summary("here");
@@ -103,7 +147,13 @@ fn an_unconverged_run_is_written_marked_and_has_exit_code_1() {
 #[test]
 fn wrong_input_has_exit_code_2_and_destroys_nothing() {
     let scene = Scene::new(&small_case());
-    assert_eq!(scene.tresca(&["solve", "small.toml", "--quiet"]).status.code(), Some(0));
+    assert_eq!(
+        scene
+            .tresca(&["solve", "small.toml", "--quiet"])
+            .status
+            .code(),
+        Some(0)
+    );
     let before = fs::read(scene.path("out/small/summary.json")).unwrap();
 
     let broken = small_case().replace("poisson = 0.35", "poison = 0.35");
@@ -111,28 +161,52 @@ fn wrong_input_has_exit_code_2_and_destroys_nothing() {
     let output = scene.tresca(&["solve", "small.toml"]);
     assert_eq!(output.status.code(), Some(2));
     let message = stderr(&output);
-    assert!(message.contains("small.toml:14") && message.contains("poisson"), "{message}");
+    assert!(
+        message.contains("small.toml:14") && message.contains("poisson"),
+        "{message}"
+    );
 
     let floating = small_case().replace(r#""upper.x+", "#, "");
     fs::write(scene.path("small.toml"), floating).unwrap();
     let output = scene.tresca(&["solve", "small.toml"]);
     assert_eq!(output.status.code(), Some(2));
     let message = stderr(&output);
-    assert!(message.contains("small.toml:7") && message.contains("`upper` is not held"), "{message}");
+    assert!(
+        message.contains("small.toml:7") && message.contains("`upper` is not held"),
+        "{message}"
+    );
 
     let output = scene.tresca(&["solve", "missing.toml"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("missing.toml"));
-    assert_eq!(fs::read(scene.path("out/small/summary.json")).unwrap(), before);
-    assert_eq!(names(&scene.path("out/small")).len(), 6, "no temporary file is left");
+    assert_eq!(
+        fs::read(scene.path("out/small/summary.json")).unwrap(),
+        before
+    );
+    assert_eq!(
+        names(&scene.path("out/small")).len(),
+        6,
+        "no temporary file is left"
+    );
 }
 
 #[test]
 fn options_of_the_command_line_override_the_case_file() {
     let scene = Scene::new(&small_case());
     let arguments = [
-        "solve", "small.toml", "--quiet", "--method", "imssn", "--tolerance", "1e-3", "--threads", "1",
-        "--set", "rho=5.0", "--engine", "factored",
+        "solve",
+        "small.toml",
+        "--quiet",
+        "--method",
+        "imssn",
+        "--tolerance",
+        "1e-3",
+        "--threads",
+        "1",
+        "--set",
+        "rho=5.0",
+        "--engine",
+        "factored",
     ];
     let output = scene.tresca(&arguments);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -173,7 +247,9 @@ fn the_benchmark_prints_the_published_counts_beside_ours() {
     let output = scene.tresca(&["bench", "table1", "--sizes", "6,16", "--tolerance", "1e-4"]);
     let text = stdout(&output);
     assert_eq!(output.status.code(), Some(0), "{text}{}", stderr(&output));
-    for part in ["10 / 161", "9 / 1180", "imssn", "ssn", "apgd", "grssn", "ratio", "GFLOP/s"] {
+    for part in [
+        "10 / 161", "9 / 1180", "imssn", "ssn", "apgd", "grssn", "ratio", "GFLOP/s",
+    ] {
         assert!(text.contains(part), "no `{part}` in:\n{text}");
     }
 }
@@ -188,19 +264,43 @@ fn an_interrupted_run_leaves_what_it_has_with_an_honest_status() {
     let scene = Scene::new(&small_case());
     // A method with a long tail and a tolerance that it will not reach soon.
     let mut child = scene
-        .command(&["solve", "small.toml", "--method", "gimssn", "--tolerance", "1e-14"])
-        .args(["--max-iterations", "100000000", "--set", "rho=0.001", "--engine", "factored"])
+        .command(&[
+            "solve",
+            "small.toml",
+            "--method",
+            "gimssn",
+            "--tolerance",
+            "1e-14",
+        ])
+        .args([
+            "--max-iterations",
+            "100000000",
+            "--set",
+            "rho=0.001",
+            "--engine",
+            "factored",
+        ])
         .stdout(Stdio::piped())
         .spawn()
         .unwrap();
     let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
-    let begun = lines.by_ref().map(Result::unwrap).any(|line| line.trim_start().starts_with("2 "));
+    let begun = lines
+        .by_ref()
+        .map(Result::unwrap)
+        .any(|line| line.trim_start().starts_with("2 "));
     assert!(begun, "the iteration began");
-    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status()
+        .unwrap();
     assert!(kill.success());
     let rest: Vec<String> = lines.map(Result::unwrap).collect();
     assert_eq!(child.wait().unwrap().code(), Some(1));
-    assert!(rest.iter().any(|line| line.contains("NOT CONVERGED (interrupted)")), "{rest:?}");
+    assert!(
+        rest.iter()
+            .any(|line| line.contains("NOT CONVERGED (interrupted)")),
+        "{rest:?}"
+    );
     let summary = scene.summary("out/small");
     assert_eq!(summary["status"], "interrupted");
 }

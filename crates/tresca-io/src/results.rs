@@ -39,7 +39,7 @@ impl BodyFields<'_> {
     }
 }
 
-/// What a contact point does.
+/// What a contact point does, in one word; written as the field `status`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum ContactState {
@@ -49,6 +49,17 @@ pub enum ContactState {
     Stick = 1,
     /// The tangential force is at the bound.
     Slip = 2,
+}
+
+impl ContactState {
+    /// Of an open point nothing more is said than that.
+    pub fn new(closed: bool, sticking: bool) -> Self {
+        match (closed, sticking) {
+            (false, _) => ContactState::Open,
+            (true, true) => ContactState::Stick,
+            (true, false) => ContactState::Slip,
+        }
+    }
 }
 
 /// The result on the slave points of all contact pairs of a case, one value per point.
@@ -76,13 +87,11 @@ pub struct ContactFields<'a> {
     pub gap: &'a [f64],
     /// Relative tangential displacement, slave minus master, in the directions of the axes.
     pub slip: &'a [[f64; 3]],
-    /// 1 where the point carries a normal force.
-    pub closed: &'a [u8],
-    /// 1 where the tangential force is below the slip bound. With Tresca's law an open point may
+    /// Whether the point carries a normal force.
+    pub closed: &'a [bool],
+    /// Whether the tangential force is below the slip bound. With Tresca's law an open point may
     /// stick or slip, too.
-    pub sticking: &'a [u8],
-    /// What the point does, in one word; written as `status`, 0 open, 1 stick, 2 slip.
-    pub status: &'a [ContactState],
+    pub sticking: &'a [bool],
     /// Facts about the run.
     pub facts: Vec<(String, Fact)>,
 }
@@ -93,7 +102,12 @@ impl ContactFields<'_> {
     /// # Errors
     /// As [`Grid::write`].
     pub fn write(&self, out: &mut dyn Write) -> Result<(), WriteError> {
-        let status: Vec<u8> = self.status.iter().map(|&state| state as u8).collect();
+        let closed: Vec<u8> = self.closed.iter().copied().map(u8::from).collect();
+        let sticking: Vec<u8> = self.sticking.iter().copied().map(u8::from).collect();
+        let states = self.closed.iter().zip(self.sticking);
+        let status: Vec<u8> = states
+            .map(|(&closed, &sticking)| ContactState::new(closed, sticking) as u8)
+            .collect();
         let vertices: Vec<usize> = (0..self.points.len()).collect();
         let mut grid = Grid::new(self.points);
         grid.cells = self.faces.clone();
@@ -116,8 +130,8 @@ impl ContactFields<'_> {
             Field::new("slip_bound", Values::Scalars(self.slip_bound)),
             Field::new("gap", Values::Scalars(self.gap)),
             Field::new("slip", Values::Vectors(self.slip)),
-            Field::new("closed", Values::States(self.closed)),
-            Field::new("sticking", Values::States(self.sticking)),
+            Field::new("closed", Values::States(&closed)),
+            Field::new("sticking", Values::States(&sticking)),
             Field::new("status", Values::States(&status)),
         ];
         grid.facts = self.facts.clone();

@@ -206,9 +206,11 @@ fn groups_of_neighbours(assembled: &Assembled) -> Vec<Vec<usize>> {
     for contact in &assembled.contacts {
         let points: Vec<[f64; 3]> = contact.pairs.iter().map(|pair| pair.point).collect();
         let patches = groups::neighbours(&points, PAIRS_PER_PATCH);
-        pairs.extend(patches.into_iter().map(|patch| {
-            patch.into_iter().map(|i| first + i).collect::<Vec<_>>()
-        }));
+        pairs.extend(
+            patches
+                .into_iter()
+                .map(|patch| patch.into_iter().map(|i| first + i).collect::<Vec<_>>()),
+        );
         first += points.len();
     }
     groups::unknowns_of_pairs(&pairs, 3)

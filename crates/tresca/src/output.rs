@@ -1,6 +1,6 @@
 //! The result files of a run.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -9,7 +9,7 @@ use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
 use tresca_io::history::History;
 use tresca_io::pvd::{self, Part};
-use tresca_io::results::{BodyFields, ContactFields, ContactState};
+use tresca_io::results::{BodyFields, ContactFields};
 use tresca_io::vtu::{CellShape, Cells, Fact};
 use tresca_io::{WriteError, summary};
 use tresca_qcqp::IterationRecord;
@@ -24,15 +24,30 @@ const CONTACT: &str = "contact";
 /// A directory that result files can be written to. Made before a run, so that a run does not
 /// find out at its end that it has no place for its results.
 #[derive(Debug)]
-pub struct Destination(OutputSet);
+pub struct Destination {
+    directory: PathBuf,
+}
 
 impl Destination {
-    /// Makes the directory where it is missing.
+    /// A directory that exists or can be made; nothing is made yet.
     ///
     /// # Errors
-    /// When it cannot be made.
+    /// When a file stands where the directory, or one of its parents, should be.
     pub fn new(directory: &Path) -> Result<Self, WriteError> {
-        OutputSet::new(directory).map(Self)
+        let existing = directory.ancestors().find(|path| path.exists());
+        if let Some(obstacle) = existing.filter(|path| !path.is_dir()) {
+            return Err(WriteError::Io {
+                action: "create the directory",
+                path: directory.to_owned(),
+                source: std::io::Error::new(
+                    std::io::ErrorKind::NotADirectory,
+                    format!("`{}` is a file", obstacle.display()),
+                ),
+            });
+        }
+        Ok(Self {
+            directory: directory.to_owned(),
+        })
     }
 
     /// Writes all files of a run: `<body>.vtu`, `contact.vtu`, `<name>.pvd` that opens them together,
@@ -48,7 +63,7 @@ impl Destination {
         outcome: &Outcome,
     ) -> Result<Summary, WriteError> {
         let begin = Instant::now();
-        let Destination(mut files) = self;
+        let mut files = OutputSet::new(self.directory)?;
         let facts = facts(model, outcome);
         let stresses: Vec<Vec<[f64; 6]>> = model
             .bodies()
@@ -57,7 +72,12 @@ impl Destination {
             .map(|(body, u)| stress::recover(&body.mesh, &body.material, u))
             .collect();
         let mut parts = Vec::new();
-        for ((body, u), stress) in model.bodies().iter().zip(&outcome.displacements).zip(&stresses) {
+        for ((body, u), stress) in model
+            .bodies()
+            .iter()
+            .zip(&outcome.displacements)
+            .zip(&stresses)
+        {
             let file = format!("{}.vtu", body.name);
             let von_mises: Vec<f64> = stress.iter().map(|&s| stress::von_mises(s)).collect();
             let fields = BodyFields {
@@ -73,10 +93,16 @@ impl Destination {
         let file = format!("{CONTACT}.vtu");
         files.stage(&file, |out| write_contact(model, outcome, facts, out))?;
         parts.push((CONTACT.to_owned(), file));
-        files.stage("history.csv", |out| history(&outcome.solution.records)?.write(out))?;
+        files.stage("history.csv", |out| {
+            history(&outcome.solution.records)?.write(out)
+        })?;
         let parts: Vec<_> = parts
             .iter()
-            .map(|(name, file)| Part { name, file, time: 0.0 })
+            .map(|(name, file)| Part {
+                name,
+                file,
+                time: 0.0,
+            })
             .collect();
         files.stage(&format!("{name}.pvd"), |out| pvd::write(out, &parts))?;
         let result = Summary::new(model.title(), outcome, begin.elapsed().as_secs_f64());
@@ -91,7 +117,10 @@ fn facts(model: &Model, outcome: &Outcome) -> Vec<(String, Fact)> {
     let solution = &outcome.solution;
     let text = |name: &str, value: String| (name.to_owned(), Fact::Text(value));
     let count = |name: &str, value: usize| {
-        (name.to_owned(), Fact::Integers(vec![i64::try_from(value).unwrap_or(i64::MAX)]))
+        (
+            name.to_owned(),
+            Fact::Integers(vec![i64::try_from(value).unwrap_or(i64::MAX)]),
+        )
     };
     vec![
         text("title", model.title().to_owned()),
@@ -157,7 +186,10 @@ fn write_contact(
     let mut quads = Vec::new();
     let mut first = 0;
     for (number, (contact, pairs)) in model.contacts().iter().zip(&outcome.contacts).enumerate() {
-        index.resize(index.len() + pairs.len(), i32::try_from(number).unwrap_or(i32::MAX));
+        index.resize(
+            index.len() + pairs.len(),
+            i32::try_from(number).unwrap_or(i32::MAX),
+        );
         let mesh = &model.bodies()[contact.slave.body].mesh;
         let point_of_node = points_of_nodes(mesh, pairs, first);
         for &face in model.faces(&contact.slave) {
@@ -180,7 +212,10 @@ fn write_contact(
     let faces = if quads.is_empty() {
         Vec::new()
     } else {
-        vec![Cells { shape: CellShape::Quad, connectivity: &quads }]
+        vec![Cells {
+            shape: CellShape::Quad,
+            connectivity: &quads,
+        }]
     };
     ContactFields {
         points: &column(outcome, |state| state.pair.point),
@@ -194,13 +229,8 @@ fn write_contact(
         slip_bound: &column(outcome, |state| state.pair.slip_bound),
         gap: &column(outcome, |state| state.gap),
         slip: &column(outcome, |state| state.slip),
-        closed: &column(outcome, |state| u8::from(state.closed)),
-        sticking: &column(outcome, |state| u8::from(state.stick)),
-        status: &column(outcome, |state| match (state.closed, state.stick) {
-            (false, _) => ContactState::Open,
-            (true, true) => ContactState::Stick,
-            (true, false) => ContactState::Slip,
-        }),
+        closed: &column(outcome, |state| state.closed),
+        sticking: &column(outcome, |state| state.stick),
         facts,
     }
     .write(out)

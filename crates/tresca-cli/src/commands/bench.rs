@@ -7,9 +7,7 @@ use miette::{IntoDiagnostic, miette};
 use tresca::linear::{LinearSolve, linear_solve};
 use tresca::output::Destination;
 use tresca::two_bricks::Units;
-use tresca::{
-    Method, Model, Outcome, Prepared, Run, Settings, Silent, Status, memory, two_bricks,
-};
+use tresca::{Method, Model, Outcome, Prepared, Run, Settings, Silent, Status, memory, two_bricks};
 
 use crate::args::{BenchArguments, Experiment, Table1Arguments, use_threads};
 use crate::terminal::format::{bytes, grouped, seconds};
@@ -80,7 +78,9 @@ fn print_legend(arguments: &Table1Arguments) {
     let imssn = paper_settings(arguments, Method::Imssn);
     let ssn = paper_settings(arguments, Method::Ssn);
     println!("Two bricks, Tresca friction. Every figure is `iterations / n_A`; n_A counts all");
-    println!("multiplications by A but those for the estimate of σmax, which stand apart in brackets.");
+    println!(
+        "multiplications by A but those for the estimate of σmax, which stand apart in brackets."
+    );
     println!(
         "IMSSN: tolerance {:.0e}, ρ = {}/σmax, r_tol = {}, c_fact = {}.",
         imssn.tolerance, imssn.rho, imssn.r_tol, imssn.c_fact
@@ -103,8 +103,17 @@ fn paper_settings(arguments: &Table1Arguments, method: Method) -> Settings {
         ..Settings::default()
     };
     match method {
-        Method::Imssn => Settings { rho: 5.0, r_tol: 0.01, c_fact: 0.1, ..common },
-        Method::Ssn => Settings { rho: 1.0, inner_tolerance: 1e-10, ..common },
+        Method::Imssn => Settings {
+            rho: 5.0,
+            r_tol: 0.01,
+            c_fact: 0.1,
+            ..common
+        },
+        Method::Ssn => Settings {
+            rho: 1.0,
+            inner_tolerance: 1e-10,
+            ..common
+        },
         _ => common,
     }
 }

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use miette::{IntoDiagnostic, Report, miette};
-use tresca::case::Case;
 use tresca::Run;
+use tresca::case::Case;
 use tresca::output::Destination;
 
 use crate::args::{SolveArguments, use_threads};
@@ -44,7 +44,9 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
             return Ok(crate::INTERRUPTED);
         }
     };
-    let summary = destination.write(name, &case.model, &outcome).into_diagnostic()?;
+    let summary = destination
+        .write(name, &case.model, &outcome)
+        .into_diagnostic()?;
     if !arguments.quiet {
         verdict::print(&summary, &directory);
     }

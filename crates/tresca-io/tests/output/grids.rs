@@ -6,7 +6,7 @@ use tresca_fem::mesh::{BrickSpec, Mesh, brick};
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
 use tresca_io::pvd::{self, Part};
-use tresca_io::results::{BodyFields, ContactFields, ContactState};
+use tresca_io::results::{BodyFields, ContactFields};
 use tresca_io::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 use vtkio::model::{
     Attribute, CellType, DataSet, Piece, UnstructuredGridPiece, VertexNumbers, Vtk,
@@ -184,18 +184,19 @@ struct Contact {
     scalars: Vec<f64>,
     vectors: Vec<[f64; 3]>,
     pair: Vec<i32>,
-    status: Vec<ContactState>,
+    closed: Vec<bool>,
+    sticking: Vec<bool>,
 }
 
 impl Contact {
     fn new() -> Self {
-        use ContactState::{Open, Slip, Stick};
         Self {
             points: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
             scalars: vec![0.0, 1.5, 2.5, -0.0],
             vectors: vec![[0.0, 0.0, 1.0]; 4],
             pair: vec![0, 0, 1, 1],
-            status: vec![Open, Stick, Slip, Open],
+            closed: vec![false, true, true, false],
+            sticking: vec![false, true, false, true],
         }
     }
 
@@ -212,7 +213,8 @@ impl Contact {
             slip_bound: &self.scalars,
             gap: &self.scalars,
             slip: &self.vectors,
-            status: &self.status,
+            closed: &self.closed,
+            sticking: &self.sticking,
             facts: facts(),
         }
     }
@@ -235,6 +237,8 @@ fn contact_fields_come_back_with_and_without_faces() {
         assert_eq!(piece.cells.types, types);
         let fields = &piece.data.point;
         assert_eq!(field(fields, "status"), (1, vec![0.0, 1.0, 2.0, 0.0]));
+        assert_eq!(field(fields, "closed"), (1, vec![0.0, 1.0, 1.0, 0.0]));
+        assert_eq!(field(fields, "sticking"), (1, vec![0.0, 1.0, 0.0, 1.0]));
         assert_eq!(field(fields, "pair"), (1, vec![0.0, 0.0, 1.0, 1.0]));
         assert_eq!(field(fields, "normal_force"), (1, contact.scalars.clone()));
         for name in ["normal", "tangential_force", "tangential_traction", "slip"] {
