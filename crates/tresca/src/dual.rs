@@ -13,10 +13,10 @@ use crate::assemble::Assembled;
 use crate::coupling::{add_product, add_transposed_product};
 use crate::model::Model;
 
-/// Up to this many dual unknowns the explicit A is formed by default: below it, inverting
-/// the trailing blocks and factoring active blocks of A costs less than the triangular solves of
-/// some fifty multiplications (measured; see `docs/adr`).
-const EXPLICIT_UP_TO: usize = 1000;
+/// Up to this many dual unknowns A is formed by default, and its active blocks are factored: no
+/// inner iteration at all. Above, forming A costs more than the some fifty multiplications that a
+/// solve takes (it pays after about 120; measured on the two bricks).
+const EXPLICIT_UP_TO: usize = 300;
 
 /// Largest patch of the local model of A (see `docs/reproduction.md` for what its size does).
 const PAIRS_PER_PATCH: usize = 24;
@@ -63,7 +63,9 @@ pub fn choose_engine(asked: Engine, unknowns: usize) -> EngineChoice {
     let (engine, reason) = match asked {
         Engine::Auto if unknowns <= EXPLICIT_UP_TO => (
             Engine::Explicit,
-            format!("{unknowns} dual unknowns: A is small enough to be formed and factored"),
+            format!(
+                "{unknowns} dual unknowns: A is small enough to be formed and its active blocks factored"
+            ),
         ),
         Engine::Auto => (
             Engine::Condensed,
