@@ -1,7 +1,5 @@
 //! From the model to matrices: K and f of each body, B, d and g of each contact.
 
-use std::collections::BTreeSet;
-
 use faer::sparse::SparseRowMat;
 use rayon::prelude::*;
 use tresca_contact::{ContactData, Side, couple_node_by_node};
@@ -9,6 +7,7 @@ use tresca_fem::dofs::DofMap;
 use tresca_fem::supports::Supports;
 use tresca_fem::{assembly, loads, rigid};
 use tresca_la::SymmetricMatrix;
+use tresca_qcqp::operator::Coupling;
 
 use crate::ModelError;
 use crate::model::{Model, Surface};
@@ -25,7 +24,7 @@ pub struct BodySystem {
     /// The free dofs that some contact touches, ascending: they come last in the factorisation.
     pub contact_dofs: Vec<usize>,
     /// Rows of B = \[N; T\] over all contacts of the model, columns = free dofs of this body.
-    pub coupling: SparseRowMat<usize, f64>,
+    pub coupling: Coupling,
 }
 
 impl BodySystem {
@@ -142,7 +141,7 @@ fn body_system(
     model: &Model,
     index: usize,
     dofs: DofMap,
-    coupling: SparseRowMat<usize, f64>,
+    coupling: Coupling,
 ) -> Result<BodySystem, ModelError> {
     let body = &model.bodies()[index];
     let stiffness = assembly::stiffness(&body.mesh, &body.material, &dofs).map_err(|source| {
@@ -158,23 +157,17 @@ fn body_system(
             tresca_la::vector::axpy(1.0, &part, &mut load);
         }
     }
-    let touched: BTreeSet<usize> = coupling.col_idx().iter().copied().collect();
     Ok(BodySystem {
         dofs,
         stiffness,
         load,
-        contact_dofs: touched.into_iter().collect(),
+        contact_dofs: coupling.touched(),
         coupling,
     })
 }
 
 /// Stacks a body's share of all contacts: the normal rows of every contact, then the tangential.
-fn body_coupling(
-    model: &Model,
-    contacts: &[ContactData],
-    body: usize,
-    columns: usize,
-) -> SparseRowMat<usize, f64> {
+fn body_coupling(model: &Model, contacts: &[ContactData], body: usize, columns: usize) -> Coupling {
     let mut rows = RowStack::default();
     for tangential in [false, true] {
         for (contact, data) in model.contacts().iter().zip(contacts) {
@@ -216,7 +209,7 @@ impl RowStack {
         self.ends.push(self.columns.len());
     }
 
-    fn finish(self, columns: usize) -> SparseRowMat<usize, f64> {
+    fn finish(self, columns: usize) -> Coupling {
         let rows = self.ends.len();
         let row_ptr = std::iter::once(0).chain(self.ends).collect();
         let symbolic = faer::sparse::SymbolicSparseRowMat::new_checked(
@@ -226,6 +219,6 @@ impl RowStack {
             None,
             self.columns,
         );
-        SparseRowMat::new(symbolic, self.values)
+        Coupling::new(SparseRowMat::new(symbolic, self.values))
     }
 }

@@ -11,7 +11,6 @@ use tresca_la::vector::{dot, norm};
 
 use crate::ModelError;
 use crate::assemble::{Assembled, BodySystem};
-use crate::coupling::{add_product, add_transposed_product};
 use crate::model::Model;
 
 /// How far a pair (u, λ) is from solving the contact problem (`method.md`, section 1).
@@ -120,11 +119,11 @@ pub fn certify(
         system.stiffness.mul(&u, &mut forces);
         strain_work += dot(&u, &forces);
         load_work += dot(&u, &f);
-        add_transposed_product(system.coupling.as_ref(), lambda, &mut forces);
+        system.coupling.add_transposed_product(lambda, &mut forces);
         let difference: Vec<f64> = forces.iter().zip(&f).map(|(a, b)| a - b).collect();
         residual_squared += dot(&difference, &difference);
         load_squared += dot(&f, &f);
-        add_product(system.coupling.as_ref(), &u, &mut relative);
+        system.coupling.add_product(&u, &mut relative);
     }
     let elastic = scale(0.5 * strain_work);
     let largest = |values: &[f64]| values.iter().fold(0.0, |a: f64, x| a.max(x.abs()));

@@ -5,12 +5,11 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 use tresca_la::{Ordering, Parallelism, SparseCholesky};
-use tresca_qcqp::operator::{Condensed, Coupling, Factored as FactoredOperator, groups};
+use tresca_qcqp::operator::{Condensed, Factored as FactoredOperator, groups};
 use tresca_qcqp::{DualProblem, Engine, ProductSet};
 
 use crate::ModelError;
 use crate::assemble::Assembled;
-use crate::coupling::{add_product, add_transposed_product};
 use crate::model::Model;
 
 /// Up to this many dual unknowns A is formed by default, and its active blocks are factored: no
@@ -159,7 +158,7 @@ pub fn dual_problem(
     // b = B K⁻¹ f − c, c = [d; 0].
     let mut rhs = vec![0.0; 3 * m];
     for (system, u) in assembled.bodies.iter().zip(&factored.unconstrained) {
-        add_product(system.coupling.as_ref(), u, &mut rhs);
+        system.coupling.add_product(u, &mut rhs);
     }
     for (b, pair) in rhs.iter_mut().zip(assembled.pairs()) {
         *b -= pair.gap;
@@ -172,8 +171,11 @@ pub fn dual_problem(
                 .iter()
                 .zip(&factored.factors)
                 .map(|(system, factor)| {
-                    let coupling = Coupling::new(system.coupling.clone());
-                    (&system.stiffness, Arc::clone(factor), coupling)
+                    (
+                        &system.stiffness,
+                        Arc::clone(factor),
+                        system.coupling.clone(),
+                    )
                 })
                 .collect();
             DualProblem::new(FactoredOperator::new(bodies, &groups), rhs, set)
@@ -194,8 +196,8 @@ fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>
         .par_iter()
         .zip(&factored.factors)
         .map(|(system, factor)| {
-            let coupling = Coupling::new(system.coupling.clone());
-            (factor.trailing(), coupling.restricted(&system.contact_dofs))
+            let coupling = system.coupling.restricted(&system.contact_dofs);
+            (factor.trailing(), coupling)
         })
         .collect();
     Condensed::new(bodies, groups)
@@ -227,7 +229,7 @@ pub fn displacements(assembled: &Assembled, factored: &Factored, lambda: &[f64])
         .zip(&factored.factors)
         .map(|(system, factor)| {
             let mut u = system.free_load();
-            add_transposed_product(system.coupling.as_ref(), &minus, &mut u);
+            system.coupling.add_transposed_product(&minus, &mut u);
             factor.solve_in_place(&mut u);
             system.dofs.expand(&u)
         })

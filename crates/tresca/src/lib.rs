@@ -32,7 +32,6 @@
 pub mod assemble;
 pub mod case;
 pub mod certificate;
-mod coupling;
 pub mod dual;
 mod error;
 pub mod linear;

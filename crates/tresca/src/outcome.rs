@@ -7,7 +7,6 @@ use tresca_qcqp::{Settings, Solution, Status};
 
 use crate::assemble::Assembled;
 use crate::certificate::Certificate;
-use crate::coupling::add_product;
 use crate::solve::Description;
 
 /// Wall-clock seconds.
@@ -131,11 +130,8 @@ fn pair_states(
     let m = assembled.pair_count();
     let mut relative = vec![0.0; 3 * m];
     for (system, u) in assembled.bodies.iter().zip(displacements) {
-        add_product(
-            system.coupling.as_ref(),
-            &system.dofs.restrict(u),
-            &mut relative,
-        );
+        let free = system.dofs.restrict(u);
+        system.coupling.add_product(&free, &mut relative);
     }
     let states = solution.active_set.states();
     let lambda = &solution.lambda;

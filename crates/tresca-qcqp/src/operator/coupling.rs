@@ -71,9 +71,11 @@ impl Coupling {
             .map(|(j, b)| (j, *b))
     }
 
-    /// v ← B_iᵀ λ.
-    pub(super) fn transposed_mul(&self, lambda: &[f64], v: &mut [f64]) {
-        v.fill(0.0);
+    /// v ← v + B_iᵀ λ.
+    ///
+    /// # Panics
+    /// When λ has more entries than there are rows, or v fewer than there are dofs.
+    pub fn add_transposed_product(&self, lambda: &[f64], v: &mut [f64]) {
         for (i, &l) in lambda.iter().enumerate().filter(|(_, l)| **l != 0.0) {
             for (j, b) in self.row(i) {
                 v[j] += b * l;
@@ -81,10 +83,25 @@ impl Coupling {
         }
     }
 
+    /// out ← out + B_i v.
+    ///
+    /// # Panics
+    /// When `out` has more entries than there are rows, or v fewer than there are dofs.
+    pub fn add_product(&self, v: &[f64], out: &mut [f64]) {
+        for (i, out) in out.iter_mut().enumerate() {
+            *out += self.row(i).map(|(j, b)| b * v[j]).sum::<f64>();
+        }
+    }
+
+    /// v ← B_iᵀ λ.
+    pub(super) fn transposed_mul(&self, lambda: &[f64], v: &mut [f64]) {
+        v.fill(0.0);
+        self.add_transposed_product(lambda, v);
+    }
+
     /// out ← B_i v.
     pub(super) fn mul(&self, v: &[f64], out: &mut [f64]) {
-        for (i, out) in out.iter_mut().enumerate() {
-            *out = self.row(i).map(|(j, b)| b * v[j]).sum();
-        }
+        out.fill(0.0);
+        self.add_product(v, out);
     }
 }
