@@ -13,7 +13,7 @@ use crate::ModelError;
 use crate::assemble::{Assembled, BodySystem};
 use crate::model::Model;
 
-/// How far a pair (u, λ) is from solving the contact problem (`method.md`, section 1).
+/// How far a pair (u, λ) is from solving the contact problem (docs/theory.md, "The contact problem").
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Certificate {
     /// ‖Ku + Bᵀλ − f‖ / ‖f‖ over the free dofs of all bodies.
