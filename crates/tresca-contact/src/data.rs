@@ -1,4 +1,4 @@
-//! The result of the geometry: coupling matrices, gaps, frames, areas, slip bounds.
+//! The result of the geometry: coupling matrices, gaps, frames, areas, friction data.
 
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use tresca_fem::dofs::DofMap;
@@ -6,7 +6,9 @@ use tresca_fem::mesh::{Face, Mesh};
 
 use crate::frame::dot;
 use crate::pairing::pair_node_by_node;
-use crate::{ContactError, ContactSurface, Frame, FrictionLaw};
+use crate::restrained::restrained_frame;
+use crate::surface::SurfaceNode;
+use crate::{ContactError, ContactSurface, Field, Frame, FrictionLaw, Mobility, Sliding};
 
 /// One side of a contact: a surface of a body.
 #[derive(Clone, Copy)]
@@ -15,8 +17,17 @@ pub struct Side<'a> {
     pub mesh: &'a Mesh,
     /// The faces that may come into contact.
     pub faces: &'a [Face],
-    /// The body's dofs; B has one column for each free dof.
+    /// The body's dofs: a pair that supports hold completely is left out.
     pub dofs: &'a DofMap,
+}
+
+/// What happens between the two sides.
+#[derive(Clone, Copy)]
+pub struct Interface<'a> {
+    /// What resists sliding and opening.
+    pub friction: &'a FrictionLaw,
+    /// What is added to the gap between the meshes (a length); negative for an interference.
+    pub gap: &'a Field,
 }
 
 /// A contact pair: a slave node and what faces it.
@@ -28,14 +39,16 @@ pub struct ContactPair {
     pub master_node: usize,
     /// Position of the slave node.
     pub point: [f64; 3],
-    /// Local frame, ν out of the slave body.
+    /// Local frame, ν out of the slave body. In the plane τ1 lies in the plane.
     pub frame: Frame,
+    /// The directions of the frame in which the supports let the pair move.
+    pub mobility: Mobility,
     /// Initial normal gap d; negative where the surfaces overlap.
     pub gap: f64,
     /// The area that belongs to the pair, ∫ φ_i over the slave surface.
     pub area: f64,
-    /// The slip bound g_i ≥ 0 of the pair as a force.
-    pub slip_bound: f64,
+    /// What it may do along its tangents.
+    pub sliding: Sliding,
 }
 
 /// What the dual problem needs to know of one contact between two bodies.
@@ -43,9 +56,9 @@ pub struct ContactPair {
 pub struct ContactData {
     /// The m pairs.
     pub pairs: Vec<ContactPair>,
-    /// Slave part of B = \[N; T\]: 3m × free dofs of the slave body.
+    /// Slave part of B = \[N; T\]: d m × full dofs of the slave body, d the space dimension.
     pub slave_coupling: SparseRowMat<usize, f64>,
-    /// Master part of B, 3m × free dofs of the master body (its signs included).
+    /// Master part of B, d m × full dofs of the master body (its signs included).
     pub master_coupling: SparseRowMat<usize, f64>,
     /// Pairs left out because both nodes are held: no force can act between them.
     pub held_pairs: usize,
@@ -55,37 +68,35 @@ pub struct ContactData {
 ///
 /// # Errors
 /// [`ContactError`] when a slave node has no master node at its place, a surface has no
-/// normal somewhere, or the slip bound is not a number ≥ 0.
+/// normal somewhere, or the friction law or the gap gives no possible value.
 pub fn couple_node_by_node(
     slave: Side<'_>,
     master: Side<'_>,
-    friction: FrictionLaw,
+    interface: Interface<'_>,
 ) -> Result<ContactData, ContactError> {
     let slave_surface = ContactSurface::new(slave.mesh, slave.faces)?;
     let master_surface = ContactSurface::new(master.mesh, master.faces)?;
     let partners = pair_node_by_node(&slave_surface, &master_surface)?;
 
-    let mut pairs = Vec::with_capacity(partners.len());
+    let count = slave_surface.nodes.len();
+    let mut pairs = Vec::with_capacity(count);
     let mut held_pairs = 0;
-    for (node, &partner) in slave_surface.nodes.iter().zip(&partners) {
+    for (index, (node, &partner)) in slave_surface.nodes.iter().zip(&partners).enumerate() {
         let partner = &master_surface.nodes[partner];
-        if is_held(slave.dofs, node.node) && is_held(master.dofs, partner.node) {
+        let free = std::array::from_fn(|component| {
+            component < slave.mesh.dimension()
+                && (slave.dofs.free(node.node, component).is_some()
+                    || master.dofs.free(partner.node, component).is_some())
+        });
+        if free == [false; 3] {
             held_pairs += 1;
             continue;
         }
-        let offset = std::array::from_fn(|k| partner.point[k] - node.point[k]);
-        pairs.push(ContactPair {
-            slave_node: node.node,
-            master_node: partner.node,
-            point: node.point,
-            frame: Frame::from_normal(node.normal),
-            gap: dot(node.normal, offset),
-            area: node.area,
-            slip_bound: friction.slip_bound(node.area)?,
-        });
+        let value = |field: &Field| field.at(index, count, node.point);
+        pairs.push(pair(node, partner, free, interface, value)?);
     }
-    let slave_coupling = coupling(&pairs, slave.dofs, |pair| pair.slave_node, 1.0);
-    let master_coupling = coupling(&pairs, master.dofs, |pair| pair.master_node, -1.0);
+    let slave_coupling = coupling(&pairs, slave.mesh, |pair| pair.slave_node, 1.0);
+    let master_coupling = coupling(&pairs, master.mesh, |pair| pair.master_node, -1.0);
     Ok(ContactData {
         pairs,
         slave_coupling,
@@ -94,38 +105,86 @@ pub fn couple_node_by_node(
     })
 }
 
-fn is_held(dofs: &DofMap, node: usize) -> bool {
-    (0..3).all(|component| dofs.free(node, component).is_none())
+/// The pair of two nodes that can move against one another along the `free` axes.
+fn pair(
+    slave: &SurfaceNode,
+    master: &SurfaceNode,
+    free: [bool; 3],
+    interface: Interface<'_>,
+    value: impl Fn(&Field) -> Result<f64, ContactError>,
+) -> Result<ContactPair, ContactError> {
+    let law = interface.friction;
+    let sliding = law.sliding(slave.area, slave.point, &value)?;
+    let natural = |normal| match law.axis() {
+        None => Ok(Frame::from_normal(normal)),
+        Some(axis) => Frame::with_axis(normal, axis).ok_or(ContactError::Axis {
+            axis,
+            point: Some(slave.point),
+        }),
+    };
+    let (frame, mobility, sliding) = match restrained_frame(slave.normal, free) {
+        None => (natural(slave.normal)?, Mobility::FULL, sliding),
+        Some((frame, mobility)) if mobility.tangents == [true; 2] => {
+            (natural(frame.normal)?, mobility, sliding)
+        }
+        Some((frame, mobility)) => {
+            let own = natural(frame.normal)?;
+            let sliding = sliding.along(&own, frame.tangents[0]);
+            (frame, mobility, sliding)
+        }
+    };
+    let offset = std::array::from_fn(|k| master.point[k] - slave.point[k]);
+    let gap = dot(frame.normal, offset) + value(interface.gap)?;
+    if !gap.is_finite() {
+        return Err(ContactError::Gap {
+            gap,
+            point: slave.point,
+        });
+    }
+    Ok(ContactPair {
+        slave_node: slave.node,
+        master_node: master.node,
+        point: slave.point,
+        frame,
+        mobility,
+        gap,
+        area: slave.area,
+        sliding,
+    })
 }
 
-/// B of one side: row i is sign·ν_i at the pair's node, rows m + 2i and m + 2i + 1 the tangents.
+/// B of one side: row i is sign·ν_i at the pair's node, rows m + (d−1)i … the tangents.
 fn coupling(
     pairs: &[ContactPair],
-    dofs: &DofMap,
+    mesh: &Mesh,
     node: impl Fn(&ContactPair) -> usize,
     sign: f64,
 ) -> SparseRowMat<usize, f64> {
+    let dimension = mesh.dimension();
     let normals = pairs.iter().map(|pair| (pair, pair.frame.normal));
-    let tangents = pairs
-        .iter()
-        .flat_map(|pair| pair.frame.tangents.map(|tangent| (pair, tangent)));
+    let tangents = pairs.iter().flat_map(|pair| {
+        let tangents = pair.frame.tangents.into_iter().take(dimension - 1);
+        tangents.map(move |tangent| (pair, tangent))
+    });
 
     let mut row_ptr = vec![0];
     let mut columns = Vec::new();
     let mut values = Vec::new();
     for (pair, direction) in normals.chain(tangents) {
-        for (component, value) in direction.into_iter().enumerate() {
-            if value == 0.0 {
-                continue;
-            }
-            if let Some(column) = dofs.free(node(pair), component) {
-                columns.push(column);
+        for (component, value) in direction.into_iter().take(dimension).enumerate() {
+            if value != 0.0 {
+                columns.push(dimension * node(pair) + component);
                 values.push(sign * value);
             }
         }
         row_ptr.push(columns.len());
     }
-    let symbolic =
-        SymbolicSparseRowMat::new_checked(3 * pairs.len(), dofs.free_len(), row_ptr, None, columns);
+    let symbolic = SymbolicSparseRowMat::new_checked(
+        dimension * pairs.len(),
+        mesh.dof_count(),
+        row_ptr,
+        None,
+        columns,
+    );
     SparseRowMat::new(symbolic, values)
 }

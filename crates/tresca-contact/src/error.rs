@@ -50,9 +50,48 @@ pub enum ContactError {
     #[error("the contact surface has no faces")]
     Empty,
     /// The slip bound is negative or not a number.
-    #[error("the slip bound must be a number ≥ 0, found {bound}")]
+    #[error("the slip bound must be a number ≥ 0, found {bound}{}", at(*point))]
     SlipBound {
         /// What was given.
         bound: f64,
+        /// Where on the surface, if it varies.
+        point: Option<[f64; 3]>,
     },
+    /// A friction coefficient is negative or not a number.
+    #[error("a friction coefficient must be a number ≥ 0, found {value}")]
+    Coefficient {
+        /// What was given.
+        value: f64,
+    },
+    /// The axis of an orthotropic law has no projection on the tangent plane.
+    #[error(
+        "the axis ({}, {}, {}) of the friction law is no direction in the tangent plane{}",
+        axis[0], axis[1], axis[2], at(*point)
+    )]
+    Axis {
+        /// What was given.
+        axis: [f64; 3],
+        /// Where on the surface, if the axis is a direction at all.
+        point: Option<[f64; 3]>,
+    },
+    /// The initial gap is no finite number.
+    #[error("the initial gap must be a finite number, found {gap} at ({}, {}, {})", point[0], point[1], point[2])]
+    Gap {
+        /// What was given.
+        gap: f64,
+        /// Where on the surface.
+        point: [f64; 3],
+    },
+    /// A field is given by another number of values than the slave surface has nodes.
+    #[error("expected one value for each of the {expected} nodes of the slave surface, found {found}")]
+    ValueCount {
+        /// Nodes of the slave surface.
+        expected: usize,
+        /// Values given.
+        found: usize,
+    },
+}
+
+fn at(point: Option<[f64; 3]>) -> String {
+    point.map_or_else(String::new, |[x, y, z]| format!(" at ({x}, {y}, {z})"))
 }

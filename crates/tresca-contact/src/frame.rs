@@ -27,6 +27,22 @@ impl Frame {
         }
     }
 
+    /// The frame of a unit normal whose τ1 is the projection of `axis` on the tangent plane; `None`
+    /// where the axis is within 0.5° of the normal.
+    pub fn with_axis(normal: [f64; 3], axis: [f64; 3]) -> Option<Self> {
+        let along = dot(axis, normal);
+        let projected: [f64; 3] = std::array::from_fn(|k| axis[k] - along * normal[k]);
+        let sine = (dot(projected, projected) / dot(axis, axis)).sqrt();
+        // Also `None` for an axis that is zero or not finite.
+        (sine > 0.01).then(|| {
+            let first = unit(projected);
+            Self {
+                normal,
+                tangents: [first, cross(normal, first)],
+            }
+        })
+    }
+
     /// The three directions in the order ν, τ1, τ2.
     pub fn directions(&self) -> [[f64; 3]; 3] {
         [self.normal, self.tangents[0], self.tangents[1]]
@@ -43,7 +59,7 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

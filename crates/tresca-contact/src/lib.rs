@@ -2,7 +2,8 @@
 //!
 //! In go two meshed bodies and the names of the surfaces that may touch; out
 //! comes [`ContactData`]: the coupling matrix B = \[N; T\] of each side, the
-//! initial normal gaps d, the local frames, the areas and the slip bounds g.
+//! initial normal gaps d, the local frames, the areas and what the friction law
+//! is for each pair.
 //! No algorithm of contact lives here: who solves the problem, and how, this
 //! crate does not know.
 //!
@@ -10,18 +11,22 @@
 //! - the *slave* side carries the contact forces; the unit normal ν points out of the slave body;
 //! - N u = ν·(u_slave − u_master) is the approach of the two surfaces, d the initial gap, and
 //!   N u ≤ d says that they do not penetrate;
-//! - T u is the relative tangential displacement in the frame (τ1, τ2), slave minus master;
-//! - λ = \[λν; λτ\] with m normal forces first and then the m pairs (τ1, τ2).
+//! - T u is the relative tangential displacement in the frame (τ1, τ2), slave minus master; in the
+//!   plane τ1 alone;
+//! - λ = \[λν; λτ\] with m normal forces first and then the m pairs (τ1, τ2), in the plane m
+//!   tangential forces.
 
 mod data;
 mod error;
 mod frame;
 mod friction;
 mod pairing;
+mod restrained;
 mod surface;
 
-pub use data::{ContactData, ContactPair, Side, couple_node_by_node};
+pub use data::{ContactData, ContactPair, Interface, Side, couple_node_by_node};
 pub use error::ContactError;
 pub use frame::Frame;
-pub use friction::FrictionLaw;
+pub use friction::{Field, FrictionLaw, Opening, Sliding};
+pub use restrained::Mobility;
 pub use surface::{ContactSurface, SurfaceNode};

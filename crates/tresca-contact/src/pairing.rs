@@ -5,8 +5,8 @@ use rstar::primitives::GeomWithData;
 
 use crate::{ContactError, ContactSurface};
 
-/// Two nodes are at one place when they are closer than this share of the local element size
-/// (√ of the node's area). Mesh generators write coordinates with six digits or more.
+/// Two nodes are at one place when they are closer than this share of the distance to the next node
+/// of the face. Mesh generators write coordinates with six digits or more.
 const RELATIVE_TOLERANCE: f64 = 1e-5;
 
 /// For each slave node the index (into `master.nodes`) of the master node at its place.
@@ -33,7 +33,7 @@ pub(crate) fn pair_node_by_node(
         .nodes
         .iter()
         .map(|node| {
-            let tolerance = RELATIVE_TOLERANCE * node.area.sqrt();
+            let tolerance = RELATIVE_TOLERANCE * node.spacing;
             let (distance, partner) = tree
                 .nearest_neighbor_iter_with_distance_2(node.point)
                 .next()

@@ -1,6 +1,6 @@
 //! The part of a body's boundary that may come into contact.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use tresca_fem::loads;
 use tresca_fem::mesh::{Face, Mesh};
@@ -19,6 +19,8 @@ pub struct SurfaceNode {
     pub normal: [f64; 3],
     /// The area that belongs to the node, ∫ φ_i over the surface.
     pub area: f64,
+    /// Distance to the nearest node of the same face.
+    pub spacing: f64,
 }
 
 /// The nodes of a contact surface, by ascending node number, with normals and areas.
@@ -40,13 +42,10 @@ impl ContactSurface {
         }
         let vectors = loads::nodal_area_vectors(mesh, faces);
         let areas = loads::nodal_areas(mesh, faces);
-        let nodes: BTreeSet<usize> = faces
-            .iter()
-            .flat_map(|&face| mesh.face_nodes(face))
-            .collect();
-        let nodes = nodes
+        let spacings = spacings(mesh, faces);
+        let nodes = spacings
             .into_iter()
-            .map(|node| {
+            .map(|(node, spacing)| {
                 let (vector, area) = (vectors[node], areas[node]);
                 let point = mesh.points[node];
                 let length = dot(vector, vector).sqrt();
@@ -59,9 +58,30 @@ impl ContactSurface {
                     point,
                     normal: vector.map(|x| x / length),
                     area,
+                    spacing,
                 })
             })
             .collect::<Result<_, _>>()?;
         Ok(Self { nodes })
     }
+}
+
+/// For each node of some faces the distance to the nearest node of the same face.
+fn spacings(mesh: &Mesh, faces: &[Face]) -> BTreeMap<usize, f64> {
+    let mut spacings = BTreeMap::new();
+    for &face in faces {
+        let nodes = mesh.face_nodes(face);
+        for &node in &nodes {
+            let others = nodes.iter().filter(|&&other| other != node);
+            let distances = others.map(|&other| {
+                let between: [f64; 3] =
+                    std::array::from_fn(|k| mesh.points[other][k] - mesh.points[node][k]);
+                dot(between, between).sqrt()
+            });
+            let least = distances.fold(f64::INFINITY, f64::min);
+            let entry = spacings.entry(node).or_insert(f64::INFINITY);
+            *entry = f64::min(*entry, least);
+        }
+    }
+    spacings
 }

@@ -1,15 +1,17 @@
-//! From the model to matrices: K and f of each body, B, d and g of each contact.
+//! From the model to matrices: K of each body, B, d and the friction data of each contact.
 
-use faer::sparse::SparseRowMat;
+use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
-use tresca_contact::{ContactData, Side, couple_node_by_node};
+use tresca_contact::{ContactData, ContactPair, Interface, Side, couple_node_by_node};
+use tresca_fem::assembly;
 use tresca_fem::dofs::DofMap;
 use tresca_fem::supports::Supports;
-use tresca_fem::{assembly, loads, rigid};
 use tresca_la::SymmetricMatrix;
 use tresca_qcqp::operator::Coupling;
 
 use crate::ModelError;
+use crate::floating::{Floating, floating};
+use crate::layout::Layout;
 use crate::model::{Model, Surface};
 
 /// One body as linear algebra.
@@ -17,21 +19,17 @@ use crate::model::{Model, Surface};
 pub struct BodySystem {
     /// Which full dofs are free.
     pub dofs: DofMap,
-    /// Stiffness K over the free dofs.
+    /// Stiffness K over the free dofs; singular when the body floats.
     pub stiffness: SymmetricMatrix,
-    /// Load over all dofs of the body (held ones too: they go straight into the reactions).
-    pub load: Vec<f64>,
-    /// The free dofs that some contact touches, ascending: they come last in the factorisation.
-    pub contact_dofs: Vec<usize>,
-    /// Rows of B = \[N; T\] over all contacts of the model, columns = free dofs of this body.
+    /// The rigid motions that the supports leave, if any.
+    pub floating: Option<Floating>,
+    /// The free dofs that some contact touches (or that ground a floating body), ascending: they come
+    /// last in the factorisation.
+    pub trailing_dofs: Vec<usize>,
+    /// Rows of B = \[N; T\] over all contacts of the model, columns = *full* dofs of this body.
+    pub contact: Coupling,
+    /// The same rows, weighted for the solver's unknowns (see [`Layout`]), columns = free dofs.
     pub coupling: Coupling,
-}
-
-impl BodySystem {
-    /// The load on the free dofs, f.
-    pub fn free_load(&self) -> Vec<f64> {
-        self.dofs.restrict(&self.load)
-    }
 }
 
 /// The whole model as linear algebra.
@@ -41,19 +39,18 @@ pub struct Assembled {
     pub bodies: Vec<BodySystem>,
     /// One record per contact of the model.
     pub contacts: Vec<ContactData>,
+    /// Where every pair stands in λ.
+    pub layout: Layout,
 }
 
 impl Assembled {
     /// m, the number of contact pairs.
     pub fn pair_count(&self) -> usize {
-        self.contacts
-            .iter()
-            .map(|contact| contact.pairs.len())
-            .sum()
+        self.layout.pair_count()
     }
 
     /// All pairs in the order of λν.
-    pub fn pairs(&self) -> impl Iterator<Item = &tresca_contact::ContactPair> {
+    pub fn pairs(&self) -> impl Iterator<Item = &ContactPair> {
         self.contacts.iter().flat_map(|contact| &contact.pairs)
     }
 
@@ -61,13 +58,31 @@ impl Assembled {
     pub fn dof_count(&self) -> usize {
         self.bodies.iter().map(|body| body.dofs.full_len()).sum()
     }
+
+    /// B u = \[Nu; Tu\] of displacements over the full dofs, body by body: approach and slip.
+    pub fn relative(&self, displacements: &[Vec<f64>]) -> Vec<f64> {
+        let mut relative = vec![0.0; self.layout.unknowns()];
+        for (body, u) in self.bodies.iter().zip(displacements) {
+            body.contact.add_product(u, &mut relative);
+        }
+        relative
+    }
+
+    /// −Bᵀλ: what the contact forces λ put on a body, over its full dofs.
+    pub fn contact_forces(&self, body: usize, lambda: &[f64]) -> Vec<f64> {
+        let minus: Vec<f64> = lambda.iter().map(|x| -x).collect();
+        let system = &self.bodies[body];
+        let mut forces = vec![0.0; system.dofs.full_len()];
+        system.contact.add_transposed_product(&minus, &mut forces);
+        forces
+    }
 }
 
 /// Assembles the model.
 ///
 /// # Errors
-/// When the model has no body or no contact, a body is not held, an element is degenerate, or the
-/// surfaces of a contact do not fit.
+/// When the model has no body or no contact, a floating body is touched by no contact, an element is
+/// degenerate, or the surfaces of a contact do not fit.
 pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
     if model.bodies().is_empty() {
         return Err(ModelError::NoBodies);
@@ -76,8 +91,8 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         return Err(ModelError::NoContact);
     }
     let dof_maps = (0..model.bodies().len())
-        .map(|body| dof_map(model, body))
-        .collect::<Result<Vec<_>, _>>()?;
+        .map(|body| Ok(DofMap::new(&supports(model, body, |k| model.supports()[k].components)?)))
+        .collect::<Result<Vec<_>, ModelError>>()?;
     // Contact geometry first: it is quick, and its errors should not wait for the stiffness.
     let contacts = model
         .contacts()
@@ -89,91 +104,106 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
                 faces: model.faces(surface),
                 dofs: &dof_maps[surface.body],
             };
-            couple_node_by_node(
-                side(&contact.slave),
-                side(&contact.master),
-                contact.friction,
+            let interface = Interface {
+                friction: &contact.friction,
+                gap: &contact.gap,
+            };
+            couple_node_by_node(side(&contact.slave), side(&contact.master), interface).map_err(
+                |source| ModelError::Coupling {
+                    contact: index,
+                    slave: model.surface_name(&contact.slave),
+                    master: model.surface_name(&contact.master),
+                    source,
+                },
             )
-            .map_err(|source| ModelError::Coupling {
-                contact: index,
-                slave: model.surface_name(&contact.slave),
-                master: model.surface_name(&contact.master),
-                source,
-            })
         })
         .collect::<Result<Vec<_>, _>>()?;
-    let couplings: Vec<_> = (0..dof_maps.len())
-        .map(|body| body_coupling(model, &contacts, body, dof_maps[body].free_len()))
-        .collect();
+    let openings = model.contacts().iter().map(|contact| contact.friction.opening());
+    let pairs = openings
+        .zip(&contacts)
+        .flat_map(|(opening, data)| data.pairs.iter().map(move |pair| (opening, pair)));
+    let layout = Layout::new(model.dimension(), pairs);
 
     let bodies = dof_maps
         .into_par_iter()
-        .zip(couplings)
         .enumerate()
-        .map(|(body, (dofs, coupling))| body_system(model, body, dofs, coupling))
+        .map(|(body, dofs)| body_system(model, &contacts, &layout, body, dofs))
         .collect::<Result<_, _>>()?;
-    Ok(Assembled { bodies, contacts })
+    Ok(Assembled {
+        bodies,
+        contacts,
+        layout,
+    })
 }
 
-fn dof_map(model: &Model, index: usize) -> Result<DofMap, ModelError> {
+/// The supports of a body with the displacements that `components` gives for each support of the model.
+pub(crate) fn supports(
+    model: &Model,
+    index: usize,
+    components: impl Fn(usize) -> [Option<f64>; 3],
+) -> Result<Supports, ModelError> {
+    let body = &model.bodies()[index];
+    let mut supports = Supports::new(body.mesh.node_count(), body.mesh.dimension());
+    for (number, support) in model.supports().iter().enumerate() {
+        let values = components(number);
+        for surface in support.on.iter().filter(|surface| surface.body == index) {
+            for node in body.mesh.nodes_of_faces(model.faces(surface)) {
+                for (component, value) in values.into_iter().enumerate() {
+                    if let Some(value) = value {
+                        supports.prescribe(node, component, value).map_err(|source| {
+                            ModelError::Body {
+                                body: body.name.clone(),
+                                source,
+                            }
+                        })?;
+                    }
+                }
+            }
+        }
+    }
+    Ok(supports)
+}
+
+fn body_system(
+    model: &Model,
+    contacts: &[ContactData],
+    layout: &Layout,
+    index: usize,
+    dofs: DofMap,
+) -> Result<BodySystem, ModelError> {
     let body = &model.bodies()[index];
     let in_body = |source| ModelError::Body {
         body: body.name.clone(),
         source,
     };
-    let mut supports = Supports::new(body.mesh.node_count(), body.mesh.dimension);
-    for surface in model.clamps().iter().filter(|clamp| clamp.body == index) {
-        let nodes = body.mesh.nodes_of_faces(model.faces(surface));
-        supports.clamp(&nodes).map_err(in_body)?;
-    }
-    let dofs = DofMap::new(&supports);
-    let free = rigid::remaining(&body.mesh, &dofs);
-    if free.is_empty() {
-        return Ok(dofs);
-    }
-    Err(ModelError::Floating {
-        body: body.name.clone(),
-        motions: free.iter().map(ToString::to_string).collect(),
-    })
-}
-
-fn body_system(
-    model: &Model,
-    index: usize,
-    dofs: DofMap,
-    coupling: Coupling,
-) -> Result<BodySystem, ModelError> {
-    let body = &model.bodies()[index];
-    let stiffness = assembly::stiffness(&body.mesh, &body.material, &dofs).map_err(|source| {
-        ModelError::Body {
-            body: body.name.clone(),
-            source,
-        }
-    })?;
-    let mut load = vec![0.0; dofs.full_len()];
-    for traction in model.tractions() {
-        for surface in traction.on.iter().filter(|surface| surface.body == index) {
-            let part = loads::traction(&body.mesh, model.faces(surface), traction.value);
-            tresca_la::vector::axpy(1.0, &part, &mut load);
-        }
+    let contact = body_contact(model, contacts, index, dofs.full_len());
+    let coupling = weighted_free_part(&contact, &dofs, layout.weights());
+    let floating = floating(body, &dofs, &contact)?;
+    let mut trailing_dofs = coupling.touched();
+    if let Some(floating) = &floating {
+        trailing_dofs.extend_from_slice(&floating.grounding.dofs);
+        trailing_dofs.sort_unstable();
+        trailing_dofs.dedup();
     }
     Ok(BodySystem {
+        stiffness: assembly::stiffness(&body.mesh, &body.material, &dofs).map_err(in_body)?,
         dofs,
-        stiffness,
-        load,
-        contact_dofs: coupling.touched(),
+        floating,
+        trailing_dofs,
+        contact,
         coupling,
     })
 }
 
 /// Stacks a body's share of all contacts: the normal rows of every contact, then the tangential.
-fn body_coupling(model: &Model, contacts: &[ContactData], body: usize, columns: usize) -> Coupling {
+fn body_contact(model: &Model, contacts: &[ContactData], body: usize, columns: usize) -> Coupling {
+    let dimension = model.dimension();
     let mut rows = RowStack::default();
     for tangential in [false, true] {
         for (contact, data) in model.contacts().iter().zip(contacts) {
             let pairs = data.pairs.len();
             let range = if tangential {
-                pairs..3 * pairs
+                pairs..dimension * pairs
             } else {
                 0..pairs
             };
@@ -185,11 +215,28 @@ fn body_coupling(model: &Model, contacts: &[ContactData], body: usize, columns: 
                 None
             };
             for row in range {
-                rows.push(matrix.map(|matrix| (matrix, row)));
+                if let Some(matrix) = matrix {
+                    let matrix = matrix.as_ref();
+                    let entries = matrix.col_idx_of_row(row).zip(matrix.val_of_row(row));
+                    rows.extend(entries.map(|(column, &value)| (column, value)));
+                }
+                rows.end_row();
             }
         }
     }
     rows.finish(columns)
+}
+
+/// diag(weights) B on the free dofs.
+fn weighted_free_part(contact: &Coupling, dofs: &DofMap, weights: &[f64]) -> Coupling {
+    let mut rows = RowStack::default();
+    for (row, weight) in weights.iter().enumerate() {
+        rows.extend(contact.row(row).filter_map(|(column, value)| {
+            Some((dofs.free_of_full(column)?, weight * value))
+        }));
+        rows.end_row();
+    }
+    rows.finish(dofs.free_len())
 }
 
 #[derive(Default)]
@@ -200,25 +247,22 @@ struct RowStack {
 }
 
 impl RowStack {
-    fn push(&mut self, source: Option<(&SparseRowMat<usize, f64>, usize)>) {
-        if let Some((matrix, row)) = source {
-            let matrix = matrix.as_ref();
-            self.columns.extend(matrix.col_idx_of_row(row));
-            self.values.extend(matrix.val_of_row(row));
+    fn extend(&mut self, entries: impl Iterator<Item = (usize, f64)>) {
+        for (column, value) in entries {
+            self.columns.push(column);
+            self.values.push(value);
         }
+    }
+
+    fn end_row(&mut self) {
         self.ends.push(self.columns.len());
     }
 
     fn finish(self, columns: usize) -> Coupling {
         let rows = self.ends.len();
         let row_ptr = std::iter::once(0).chain(self.ends).collect();
-        let symbolic = faer::sparse::SymbolicSparseRowMat::new_checked(
-            rows,
-            columns,
-            row_ptr,
-            None,
-            self.columns,
-        );
+        let symbolic =
+            SymbolicSparseRowMat::new_checked(rows, columns, row_ptr, None, self.columns);
         Coupling::new(SparseRowMat::new(symbolic, self.values))
     }
 }

@@ -10,27 +10,33 @@ use tresca_fem::loads::{Resultant, resultant};
 use tresca_la::vector::{dot, norm};
 
 use crate::ModelError;
-use crate::assemble::{Assembled, BodySystem};
+use crate::assemble::Assembled;
+use crate::ellipse::Ellipse;
+use crate::load_step::Acting;
 use crate::model::Model;
 
 /// How far a pair (u, λ) is from solving the contact problem (docs/theory.md, "The contact problem").
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Certificate {
-    /// ‖Ku + Bᵀλ − f‖ / ‖f‖ over the free dofs of all bodies.
+    /// ‖Ku + Bᵀλ − f‖ over the largest of ‖f‖, ‖Bᵀλ‖ and ‖Ku‖, over the free dofs of all bodies.
     pub equilibrium: f64,
-    /// Largest penetration max(Nu − d, 0), over the largest displacement component.
+    /// Largest penetration max(Nu − d, 0), over the largest displacement component or gap. Of pairs that
+    /// never open, |Nu − d|; of glued ones, also |Tu|.
     pub penetration: f64,
-    /// Largest adhesive normal force max(−λν, 0), over the largest normal force.
+    /// Largest adhesive normal force max(−λν, 0) of pairs that may open, over the largest normal force.
     pub normal_force_sign: f64,
     /// Σ |λν,i (Nu − d)_i| over the elastic energy ½uᵀKu.
     pub complementarity: f64,
-    /// Largest excess of a friction force over its slip bound, over the largest slip bound.
+    /// Largest excess of a friction force over its slip bound (with Coulomb's law, over F λν), over the
+    /// largest slip bound.
     pub cone_violation: f64,
-    /// Σ |g_i ‖(Tu)_i‖ − λτ,i·(Tu)_i| over the elastic energy: zero exactly when every pair
-    /// that slips does so along its friction force, at its bound.
+    /// Σ |h_i(s_i) − λτ,i·s_i| over the elastic energy, s the slip of the step and h the work that
+    /// friction at its bound dissipates along it, g‖s‖ for isotropic friction: zero exactly when every pair
+    /// that slips does so at its bound in the direction that its law asks for.
     pub slip_law: f64,
     /// (primal energy − dual energy) over the elastic energy, with the primal energy
-    /// ½uᵀKu − fᵀu + Σ g_i‖(Tu)_i‖ and the dual energy −q(λ) − ½fᵀK⁻¹f.
+    /// ½uᵀKu − fᵀu + Σ h_i(s_i) and the dual energy −q(λ) − ½fᵀK⁺f. With Coulomb's law that of the
+    /// problem whose bounds are F λν.
     pub duality_gap: f64,
     /// Force and moment balance body by body.
     pub bodies: Vec<BodyBalance>,
@@ -84,14 +90,40 @@ impl Certificate {
 
 /// What is to be certified.
 pub struct Candidate<'a> {
-    /// λ = \[λν; λτ\], length 3m.
+    /// λ = \[λν; λτ\], the contact forces, length d m.
     pub lambda: &'a [f64],
     /// Displacement of each body over its full dofs.
     pub displacements: &'a [Vec<f64>],
+    /// B u of the step before.
+    pub previous: &'a [f64],
+    /// Loads, prescribed displacements and laws of the step.
+    pub acting: &'a Acting,
     /// q(λ) as the solver reported it.
     pub dual_objective: f64,
-    /// fᵀK⁻¹f: twice the energy of the bodies without contact.
+    /// fᵀK⁺f: twice the energy of the bodies without contact.
     pub load_energy: f64,
+}
+
+/// What the bodies say: energies and the residual of equilibrium.
+struct Elastic {
+    /// ‖Ku + Bᵀλ − f‖ relative to the forces that balance.
+    residual: f64,
+    /// uᵀKu.
+    strain_work: f64,
+    /// fᵀu.
+    load_work: f64,
+}
+
+/// What the pairs say.
+#[derive(Default)]
+struct Interface {
+    penetration: f64,
+    adhesion: f64,
+    complementarity: f64,
+    cone: f64,
+    slip_law: f64,
+    friction_work: f64,
+    largest_bound: f64,
 }
 
 /// Certifies a candidate solution.
@@ -103,70 +135,33 @@ pub fn certify(
     assembled: &Assembled,
     candidate: &Candidate<'_>,
 ) -> Result<Certificate, ModelError> {
-    let lambda = candidate.lambda;
-    let m = assembled.pair_count();
-    let (normal, tangential) = lambda.split_at(m);
-
-    let mut residual_squared = 0.0;
-    let mut load_squared = 0.0;
-    let mut strain_work = 0.0; // uᵀKu
-    let mut load_work = 0.0; // fᵀu
-    let mut relative = vec![0.0; 3 * m]; // B u
-    for (system, full) in assembled.bodies.iter().zip(candidate.displacements) {
-        let u = system.dofs.restrict(full);
-        let f = system.free_load();
-        let mut forces = vec![0.0; u.len()];
-        system.stiffness.mul(&u, &mut forces);
-        strain_work += dot(&u, &forces);
-        load_work += dot(&u, &f);
-        system.coupling.add_transposed_product(lambda, &mut forces);
-        let difference: Vec<f64> = forces.iter().zip(&f).map(|(a, b)| a - b).collect();
-        residual_squared += dot(&difference, &difference);
-        load_squared += dot(&f, &f);
-        system.coupling.add_product(&u, &mut relative);
-    }
-    let elastic = scale(0.5 * strain_work);
+    let Elastic {
+        residual,
+        strain_work,
+        load_work,
+    } = elastic(assembled, candidate);
+    let interface = interface(assembled, candidate);
+    let energy = scale(0.5 * strain_work);
     let largest = |values: &[f64]| values.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
-    let largest_displacement = candidate
-        .displacements
-        .iter()
-        .map(|u| largest(u))
-        .fold(0.0, f64::max);
-
-    let mut penetration: f64 = 0.0;
-    let mut complementarity = 0.0;
-    let mut cone: f64 = 0.0;
-    let mut slip_law = 0.0;
-    let mut friction_work = 0.0;
-    let mut largest_bound: f64 = 0.0;
-    let (approach, slips) = relative.split_at(m);
-    for (i, pair) in assembled.pairs().enumerate() {
-        let overlap = approach[i] - pair.gap;
-        penetration = penetration.max(overlap);
-        complementarity += (normal[i] * overlap).abs();
-        let force = &tangential[2 * i..2 * i + 2];
-        let slip = &slips[2 * i..2 * i + 2];
-        let bound = pair.slip_bound;
-        cone = cone.max(norm(force) - bound);
-        slip_law += (bound * norm(slip) - dot(force, slip)).abs();
-        friction_work += bound * norm(slip);
-        largest_bound = largest_bound.max(bound);
-    }
-    let primal = 0.5 * strain_work - load_work + friction_work;
-    let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
-    let cone_scale = if largest_bound > 0.0 {
-        largest_bound
+    let displacements = candidate.displacements.iter().map(|u| largest(u));
+    let gaps = assembled.pairs().map(|pair| pair.gap.abs());
+    let length = displacements.chain(gaps).fold(0.0, f64::max);
+    let normal = &candidate.lambda[..assembled.pair_count()];
+    let cone_scale = if interface.largest_bound > 0.0 {
+        interface.largest_bound
     } else {
-        largest(lambda)
+        largest(candidate.lambda)
     };
+    let primal = 0.5 * strain_work - load_work + interface.friction_work;
+    let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
     Ok(Certificate {
-        equilibrium: residual_squared.sqrt() / scale(load_squared.sqrt()),
-        penetration: penetration.max(0.0) / scale(largest_displacement),
-        normal_force_sign: normal.iter().fold(0.0, |a: f64, x| a.max(-x)) / scale(largest(normal)),
-        complementarity: complementarity / elastic,
-        cone_violation: cone.max(0.0) / scale(cone_scale),
-        slip_law: slip_law / elastic,
-        duality_gap: (primal - dual) / elastic,
+        equilibrium: residual,
+        penetration: interface.penetration / scale(length),
+        normal_force_sign: interface.adhesion / scale(largest(normal)),
+        complementarity: interface.complementarity / energy,
+        cone_violation: interface.cone / scale(cone_scale),
+        slip_law: interface.slip_law / energy,
+        duality_gap: (primal - dual) / energy,
         bodies: model
             .bodies()
             .iter()
@@ -181,6 +176,69 @@ pub fn certify(
     })
 }
 
+fn elastic(assembled: &Assembled, candidate: &Candidate<'_>) -> Elastic {
+    let (mut residual, mut strain_work, mut load_work) = (0.0, 0.0, 0.0);
+    // Squared norms of f, Bᵀλ and Ku.
+    let mut squares = [0.0; 3];
+    for (index, system) in assembled.bodies.iter().enumerate() {
+        let u = system.dofs.restrict(&candidate.displacements[index]);
+        let f = &candidate.acting.free_loads[index];
+        let contact = system.dofs.restrict(&assembled.contact_forces(index, candidate.lambda));
+        let mut internal = vec![0.0; u.len()];
+        system.stiffness.mul(&u, &mut internal);
+        strain_work += dot(&u, &internal);
+        load_work += dot(&u, f);
+        for (square, forces) in squares.iter_mut().zip([f, &contact, &internal]) {
+            *square += dot(forces, forces);
+        }
+        for ((k, c), f) in internal.iter().zip(&contact).zip(f) {
+            residual += (k - c - f).powi(2);
+        }
+    }
+    let forces = squares.into_iter().fold(0.0, f64::max);
+    Elastic {
+        residual: residual.sqrt() / scale(forces.sqrt()),
+        strain_work,
+        load_work,
+    }
+}
+
+fn interface(assembled: &Assembled, candidate: &Candidate<'_>) -> Interface {
+    let lambda = candidate.lambda;
+    let relative = assembled.relative(candidate.displacements);
+    let layout = &assembled.layout;
+    let mut sum = Interface::default();
+    for (i, pair) in assembled.pairs().enumerate() {
+        let overlap = relative[i] - pair.gap;
+        sum.complementarity += (lambda[i] * overlap).abs();
+        if !pair.mobility.normal {
+            // Supports alone decide about this gap.
+        } else if layout.never_opens(i) {
+            sum.penetration = sum.penetration.max(overlap.abs());
+        } else {
+            sum.penetration = sum.penetration.max(overlap);
+            sum.adhesion = sum.adhesion.max(-lambda[i]);
+        }
+        let force = layout.tangential(lambda, i);
+        let (now, before) = (
+            layout.tangential(&relative, i),
+            layout.tangential(candidate.previous, i),
+        );
+        let Some(bounds) = candidate.acting.slidings[i].bounds(lambda[i]) else {
+            sum.penetration = sum.penetration.max(norm(&now));
+            continue;
+        };
+        let slip = [now[0] - before[0], now[1] - before[1]];
+        let ellipse = Ellipse(bounds);
+        let work = ellipse.support(slip);
+        sum.cone = sum.cone.max(ellipse.excess(force));
+        sum.slip_law += (work - dot(&force, &slip)).abs();
+        sum.friction_work += work;
+        sum.largest_bound = sum.largest_bound.max(ellipse.largest());
+    }
+    sum
+}
+
 /// A scale that a figure may be divided by: 1 for a problem in which nothing happens.
 fn scale(value: f64) -> f64 {
     if value > 0.0 { value } else { 1.0 }
@@ -193,18 +251,19 @@ fn balance(
     index: usize,
 ) -> Result<BodyBalance, FemError> {
     let body = &model.bodies()[index];
-    let system: &BodySystem = &assembled.bodies[index];
-    let contact = contact_forces(model, assembled, candidate.lambda, index);
+    let system = &assembled.bodies[index];
+    let contact = assembled.contact_forces(index, candidate.lambda);
+    let load = &candidate.acting.loads[index];
     let internal = internal_forces(&body.mesh, &body.material, &candidate.displacements[index])?;
     // A held dof hands on what the elements put on it, less the load and the contact there.
     let mut reaction = vec![0.0; internal.len()];
     for dof in system.dofs.prescribed() {
-        reaction[dof] = internal[dof] - system.load[dof] - contact[dof];
+        reaction[dof] = internal[dof] - load[dof] - contact[dof];
     }
 
     let bounds = body.mesh.bounding_box();
     let centre = std::array::from_fn(|k| 0.5 * (bounds.min[k] + bounds.max[k]));
-    let parts = [&system.load, &contact, &reaction];
+    let parts = [load, &contact, &reaction];
     let resultants = parts.map(|part| resultant(&body.mesh, part, centre));
     let total = |pick: fn(&Resultant) -> [f64; 3]| {
         let sum: [f64; 3] =
@@ -214,7 +273,7 @@ fn balance(
     let magnitude = scale(
         parts
             .iter()
-            .flat_map(|part| part.chunks_exact(3))
+            .flat_map(|part| part.chunks_exact(body.mesh.dimension()))
             .map(norm)
             .sum(),
     );
@@ -226,33 +285,4 @@ fn balance(
         contact: resultants[1].force,
         reaction: resultants[2].force,
     })
-}
-
-/// Contact forces on a body over its full dofs, from the pairs and their frames: the slave
-/// feels −(λν ν + λτ τ), the master the opposite.
-fn contact_forces(model: &Model, assembled: &Assembled, lambda: &[f64], body: usize) -> Vec<f64> {
-    let m = assembled.pair_count();
-    let mut forces = vec![0.0; assembled.bodies[body].dofs.full_len()];
-    let mut first = 0;
-    for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
-        for (offset, pair) in data.pairs.iter().enumerate() {
-            let i = first + offset;
-            let force = pair
-                .frame
-                .to_global([lambda[i], lambda[m + 2 * i], lambda[m + 2 * i + 1]]);
-            let sides = [
-                (contact.slave.body, pair.slave_node, -1.0),
-                (contact.master.body, pair.master_node, 1.0),
-            ];
-            for (owner, node, sign) in sides {
-                if owner == body {
-                    for k in 0..3 {
-                        forces[3 * node + k] += sign * force[k];
-                    }
-                }
-            }
-        }
-        first += data.pairs.len();
-    }
-    forces
 }

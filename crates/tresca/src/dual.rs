@@ -1,21 +1,27 @@
-//! From matrices to the dual problem: factorisation, choice of engine, A and b.
+//! From matrices to the dual problem: factorisation, choice of engine, A.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
 use tresca_la::{Ordering, Parallelism, SparseCholesky};
 use tresca_qcqp::operator::{Condensed, Factored as FactoredOperator, groups};
-use tresca_qcqp::{DualProblem, Engine, ProductSet};
+use tresca_qcqp::{DualProblem, Engine};
 
 use crate::ModelError;
 use crate::assemble::Assembled;
+use crate::floating::equality;
 use crate::model::Model;
 
 /// Up to this many dual unknowns A is formed by default, and its active blocks are factored: no
 /// inner iteration at all. Above, forming A costs more than the some fifty multiplications that a
 /// solve takes (it pays after about 120; measured on the two bricks).
 const EXPLICIT_UP_TO: usize = 300;
+
+/// Up to this many it is formed when several problems with the same A are to be solved: Coulomb's law
+/// or load steps. 6000 unknowns take 144 MB.
+const EXPLICIT_FOR_MANY_UP_TO: usize = 6000;
 
 /// Largest patch of the local model of A (see `docs/reproduction.md` for what its size does).
 const PAIRS_PER_PATCH: usize = 24;
@@ -24,8 +30,6 @@ const PAIRS_PER_PATCH: usize = 24;
 pub struct Factored {
     /// One factor per body, `Arc` because the factored engine multiplies with it, too.
     pub factors: Vec<Arc<SparseCholesky>>,
-    /// K⁻¹f of each body, over free dofs: the displacement without contact.
-    pub unconstrained: Vec<Vec<f64>>,
     /// Sizes and speed.
     pub work: FactorWork,
 }
@@ -57,13 +61,21 @@ pub struct EngineChoice {
     pub reason: String,
 }
 
-/// Chooses the engine: what the user asked for, or by the size of the dual problem.
-pub fn choose_engine(asked: Engine, unknowns: usize) -> EngineChoice {
+/// Chooses the engine: what the user asked for, or by the size of the dual problem and by whether A
+/// serves for `many` solves.
+pub fn choose_engine(asked: Engine, unknowns: usize, many: bool) -> EngineChoice {
     let (engine, reason) = match asked {
         Engine::Auto if unknowns <= EXPLICIT_UP_TO => (
             Engine::Explicit,
             format!(
                 "{unknowns} dual unknowns: A is small enough to be formed and its active blocks factored"
+            ),
+        ),
+        Engine::Auto if many && unknowns <= EXPLICIT_FOR_MANY_UP_TO => (
+            Engine::Explicit,
+            format!(
+                "{unknowns} dual unknowns, and A serves many solves (Coulomb friction or load steps): \
+                 forming it pays"
             ),
         ),
         Engine::Auto => (
@@ -78,7 +90,7 @@ pub fn choose_engine(asked: Engine, unknowns: usize) -> EngineChoice {
     EngineChoice { engine, reason }
 }
 
-/// Orders and factors every body, the bodies side by side.
+/// Orders and factors every body (a floating one grounded), the bodies side by side.
 ///
 /// `contact_last` orders the contact dofs last, which the condensed and the explicit engine need;
 /// without it the ordering is plain nested dissection.
@@ -99,16 +111,20 @@ pub fn factor(
         .par_iter()
         .zip(model.bodies())
         .map(|(system, body)| {
+            let stiffness = match &system.floating {
+                None => Cow::Borrowed(&system.stiffness),
+                Some(floating) => Cow::Owned(floating.grounding.add_to(&system.stiffness)),
+            };
             let ordering = if contact_last {
-                Ordering::nested_dissection_with_trailing(&system.stiffness, &system.contact_dofs)
+                Ordering::nested_dissection_with_trailing(&stiffness, &system.trailing_dofs)
             } else {
-                Ordering::nested_dissection(&system.stiffness)
+                Ordering::nested_dissection(&stiffness)
             };
             let ordering = ordering.map_err(|source| ModelError::Ordering {
                 body: body.name.clone(),
                 source,
             })?;
-            SparseCholesky::factor(&system.stiffness, ordering, parallelism).map_err(|source| {
+            SparseCholesky::factor(&stiffness, ordering, parallelism).map_err(|source| {
                 ModelError::Factorization {
                     body: body.name.clone(),
                     source,
@@ -118,15 +134,6 @@ pub fn factor(
         .collect::<Result<Vec<_>, _>>()?;
     let seconds = start.elapsed().as_secs_f64();
     let factors: Vec<_> = parts.into_iter().map(Arc::new).collect();
-    let unconstrained = factors
-        .par_iter()
-        .zip(&assembled.bodies)
-        .map(|(factor, system)| {
-            let mut u = system.free_load();
-            factor.solve_in_place(&mut u);
-            u
-        })
-        .collect();
     let work = FactorWork {
         nonzeros: factors
             .iter()
@@ -137,33 +144,25 @@ pub fn factor(
     };
     Ok(Factored {
         factors,
-        unconstrained,
         work,
     })
 }
 
-/// The dual problem of the model, A applied by the chosen engine.
+/// The dual problem of the model, A applied by the chosen engine. b, e and the slip bounds are those of
+/// no load at all: every load step sets its own.
 ///
 /// # Errors
 /// When the dual problem is refused (never for a checked model).
 pub fn dual_problem(
+    model: &Model,
     assembled: &Assembled,
     factored: &Factored,
     engine: Engine,
 ) -> Result<DualProblem, ModelError> {
-    let m = assembled.pair_count();
-    let bounds: Vec<f64> = assembled.pairs().map(|pair| pair.slip_bound).collect();
-    let set = ProductSet::contact_3d(&bounds)?;
-
-    // b = B K⁻¹ f − c, c = [d; 0].
-    let mut rhs = vec![0.0; 3 * m];
-    for (system, u) in assembled.bodies.iter().zip(&factored.unconstrained) {
-        system.coupling.add_product(u, &mut rhs);
-    }
-    for (b, pair) in rhs.iter_mut().zip(assembled.pairs()) {
-        *b -= pair.gap;
-    }
-    let groups = groups_of_neighbours(assembled);
+    let slidings: Vec<_> = assembled.pairs().map(|pair| pair.sliding).collect();
+    let set = assembled.layout.set(&slidings)?;
+    let rhs = vec![0.0; assembled.layout.unknowns()];
+    let groups = groups_of_neighbours(model.dimension(), assembled);
     let problem = match engine {
         Engine::Factored => {
             let bodies = assembled
@@ -186,8 +185,12 @@ pub fn dual_problem(
             let explicit = condensed(assembled, factored, groups).explicit(all);
             DualProblem::new(explicit, rhs, set)
         }
-    };
-    Ok(problem?)
+    }?
+    .with_coulomb(assembled.layout.coulomb(&slidings))?;
+    Ok(match equality(assembled) {
+        None => problem,
+        Some(equality) => problem.with_equality(equality)?,
+    })
 }
 
 fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>) -> Condensed {
@@ -196,7 +199,7 @@ fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>
         .par_iter()
         .zip(&factored.factors)
         .map(|(system, factor)| {
-            let coupling = system.coupling.restricted(&system.contact_dofs);
+            let coupling = system.coupling.restricted(&system.trailing_dofs);
             (factor.trailing(), coupling)
         })
         .collect();
@@ -204,7 +207,7 @@ fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>
 }
 
 /// The unknowns of neighbouring pairs, contact by contact: the patches of the local model of A.
-fn groups_of_neighbours(assembled: &Assembled) -> Vec<Vec<usize>> {
+fn groups_of_neighbours(dimension: usize, assembled: &Assembled) -> Vec<Vec<usize>> {
     let mut first = 0;
     let mut pairs = Vec::new();
     for contact in &assembled.contacts {
@@ -217,21 +220,43 @@ fn groups_of_neighbours(assembled: &Assembled) -> Vec<Vec<usize>> {
         );
         first += points.len();
     }
-    groups::unknowns_of_pairs(&pairs, 3)
+    groups::unknowns_of_pairs(&pairs, dimension)
 }
 
-/// u = K⁻¹(f − Bᵀλ) of each body, over its full dofs.
-pub fn displacements(assembled: &Assembled, factored: &Factored, lambda: &[f64]) -> Vec<Vec<f64>> {
-    let minus: Vec<f64> = lambda.iter().map(|x| -x).collect();
+/// K⁺(f − Bᵀλ) of each body over its free dofs, λ in the solver's unknowns μ.
+pub(crate) fn elastic_displacements(
+    assembled: &Assembled,
+    factored: &Factored,
+    free_loads: &[Vec<f64>],
+    mu: &[f64],
+) -> Vec<Vec<f64>> {
+    let minus: Vec<f64> = mu.iter().map(|x| -x).collect();
     assembled
         .bodies
         .par_iter()
         .zip(&factored.factors)
-        .map(|(system, factor)| {
-            let mut u = system.free_load();
+        .zip(free_loads)
+        .map(|((system, factor), load)| {
+            let mut u = load.clone();
             system.coupling.add_transposed_product(&minus, &mut u);
             factor.solve_in_place(&mut u);
-            system.dofs.expand(&u)
+            u
+        })
+        .collect()
+}
+
+/// Displacements over the full dofs from their free parts and the prescribed rest.
+pub(crate) fn full_displacements(
+    assembled: &Assembled,
+    free: &[Vec<f64>],
+    prescribed: &[Vec<f64>],
+) -> Vec<Vec<f64>> {
+    let bodies = assembled.bodies.iter().zip(free).zip(prescribed);
+    bodies
+        .map(|((system, free), prescribed)| {
+            let mut u = prescribed.clone();
+            system.dofs.write_free(free, &mut u);
+            u
         })
         .collect()
 }

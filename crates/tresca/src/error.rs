@@ -34,11 +34,58 @@ pub enum ModelError {
         /// The surfaces of that body.
         known: Vec<String>,
     },
-    /// A traction with NaN or infinity.
-    #[error("a traction must be finite, found {value:?}")]
-    NonFiniteTraction {
+    /// Bodies of different spaces in one model.
+    #[error("the bodies `{first}` and `{second}` live in different spaces (solid, plane, axisymmetric)")]
+    MixedSpaces {
+        /// A body of the one.
+        first: String,
+        /// A body of the other.
+        second: String,
+    },
+    /// A load or a displacement with NaN or infinity.
+    #[error("a load or a prescribed displacement must be finite, found {value:?}")]
+    NonFiniteValue {
         /// What was given.
         value: [f64; 3],
+    },
+    /// A load field that gives NaN or infinity.
+    #[error("load {load} is not finite on body `{body}`: its expression gives no number somewhere")]
+    NonFiniteLoad {
+        /// Index of the load, from 0.
+        load: usize,
+        /// The body.
+        body: String,
+    },
+    /// A pressure given by values at the nodes of a contact surface.
+    #[error("a pressure is a constant or a function of the position")]
+    PressureByValues,
+    /// A z component in two dimensions.
+    #[error("a plane model has no z component")]
+    OutOfPlane,
+    /// Two friction axes in two dimensions.
+    #[error("orthotropic friction needs two tangents; a plane contact has one")]
+    OrthotropicInThePlane,
+    /// A density that is none.
+    #[error("the density of body `{body}` must be a number ≥ 0, found {density}")]
+    Density {
+        /// The body.
+        body: String,
+        /// What was given.
+        density: f64,
+    },
+    /// Weight of a body without density.
+    #[error("gravity acts on body `{body}`, which has no density")]
+    NoDensity {
+        /// The body.
+        body: String,
+    },
+    /// A load step that does not fit the model.
+    #[error("load step {number}: {reason}")]
+    Step {
+        /// Number of the step, from 1.
+        number: usize,
+        /// What does not fit.
+        reason: String,
     },
     /// Both sides of a contact on one body.
     #[error("both sides of a contact lie on body `{body}`; self-contact is not supported")]
@@ -52,10 +99,10 @@ pub enum ModelError {
     /// A model without contact.
     #[error("the model has no contact: nothing to solve beyond linear elasticity")]
     NoContact,
-    /// A body that can move rigidly.
+    /// A body that can move rigidly, and that no contact can hold.
     #[error(
-        "body `{body}` is not held: its supports leave {} rigid motion(s) free ({}); \
-         floating bodies are not supported yet",
+        "body `{body}` is not held: its supports leave {} rigid motion(s) free ({}), and no contact \
+         touches it",
         motions.len(), motions.join(", ")
     )]
     Floating {

@@ -19,13 +19,13 @@
 //! model.add_body("lower", brick(&block(0.0))?, steel)?;
 //! model.clamp(face("upper", "x+"))?.clamp(face("lower", "z-"))?;
 //! model.add_traction(&[face("upper", "z+")], [0.0, 0.0, -1.0])?;
-//! model.add_contact(face("upper", "z-"), face("lower", "z+"), FrictionLaw::Tresca { bound: 0.1 })?;
+//! model.add_contact(face("upper", "z-"), face("lower", "z+"), FrictionLaw::tresca(0.1))?;
 //!
 //! let Run::Finished(outcome) = solve(&model, &Settings::default(), &mut Silent)? else {
 //!     unreachable!("nobody stops this run")
 //! };
 //! assert!(outcome.converged());
-//! assert!(outcome.certificate.worst() < 1e-6);
+//! assert!(outcome.last().certificate.worst() < 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -33,8 +33,12 @@ pub mod assemble;
 pub mod case;
 pub mod certificate;
 pub mod dual;
+mod ellipse;
 mod error;
+mod floating;
+mod layout;
 pub mod linear;
+mod load_step;
 pub mod memory;
 pub mod model;
 mod outcome;
@@ -47,13 +51,16 @@ pub mod two_bricks;
 pub use certificate::Certificate;
 pub use error::ModelError;
 pub use model::{Model, SurfaceRef};
-pub use outcome::{Outcome, PairState, Times};
+pub use floating::{Floating, UnresistedMotion};
+pub use layout::Layout;
+pub use load_step::Acting;
+pub use outcome::{Outcome, PairState, StepOutcome, Times};
 pub use progress::{Progress, Silent, Stage};
 pub use solve::{Description, Prepared, Run, prepare, solve};
 pub use summary::Summary;
 pub use two_bricks::two_bricks;
 
-pub use tresca_contact::{Frame, FrictionLaw};
+pub use tresca_contact::{Field, Frame, FrictionLaw, Sliding};
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_qcqp::{
     Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status,

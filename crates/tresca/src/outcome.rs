@@ -1,24 +1,26 @@
-//! What a run gives back: displacements, the state of every contact pair, the certificate.
+//! What a run gives back: for each load step displacements, the state of every contact pair, the
+//! certificate.
 
 use serde::Serialize;
 use tresca_contact::ContactPair;
-use tresca_qcqp::sets::BlockState;
 use tresca_qcqp::{Settings, Solution, Status};
 
 use crate::assemble::Assembled;
 use crate::certificate::Certificate;
+use crate::floating::UnresistedMotion;
+use crate::load_step::Acting;
 use crate::solve::Description;
 
 /// Wall-clock seconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Times {
-    /// Stiffness, loads and contact data.
+    /// Stiffness and contact data.
     pub assembly: f64,
     /// Ordering, analysis and factorisation of all bodies, and the set-up of the dual operator.
     pub factorization: f64,
-    /// The dual problem, estimate of σmax included.
+    /// The dual problems of all steps, estimate of σmax included.
     pub solve: f64,
-    /// Displacements and certificate.
+    /// Loads, displacements and certificates.
     pub recovery: f64,
 }
 
@@ -32,22 +34,28 @@ impl Times {
 /// The state of one contact pair.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PairState {
-    /// The pair: nodes, frame, gap, area, slip bound.
+    /// The pair: nodes, frame, gap, area, law.
     pub pair: ContactPair,
-    /// Does it carry a normal force?
+    /// Does it carry a normal force? Tied and bilateral pairs always count as closed.
     pub closed: bool,
     /// Is the friction force below the slip bound?
     pub stick: bool,
-    /// λν ≥ 0.
+    /// λν, positive in compression; negative only where the law never lets the pair open.
     pub normal_force: f64,
     /// λτ in global components: the force that the slave puts on the master.
     pub friction_force: [f64; 3],
+    /// λτ in the pair's frame.
+    pub local_friction: [f64; 2],
+    /// The slip bounds (forces) along τ1, τ2 that hold in this step; `None` where nothing slides.
+    pub slip_bounds: Option<[f64; 2]>,
     /// Gap left, d − N u.
     pub gap: f64,
-    /// Slip T u in global components: motion of the slave relative to the master.
+    /// Slip T u in global components: motion of the slave relative to the master, since the start.
     pub slip: [f64; 3],
     /// The two components of the slip in the pair's frame.
     pub local_slip: [f64; 2],
+    /// The same since the step before: what friction acts on.
+    pub local_slip_increment: [f64; 2],
 }
 
 impl PairState {
@@ -60,16 +68,25 @@ impl PairState {
     pub fn friction_traction(&self) -> [f64; 3] {
         self.friction_force.map(|x| x / self.pair.area)
     }
+
+    /// Work that friction dissipates in the step, λτ·ΔTu.
+    pub fn dissipation(&self) -> f64 {
+        self.local_friction[0] * self.local_slip_increment[0]
+            + self.local_friction[1] * self.local_slip_increment[1]
+    }
 }
 
-/// The result of a run.
+/// The result of one load step.
 #[derive(Debug, Clone)]
-pub struct Outcome {
-    /// Sizes, engine, factorisation.
-    pub description: Description,
-    /// The settings that were in force.
-    pub settings: Settings,
-    /// The dual solution: status, λ, iteration records, counts.
+pub struct StepOutcome {
+    /// Number of the step, from 1.
+    pub number: usize,
+    /// Instant in the time series.
+    pub time: f64,
+    /// How the case calls the step.
+    pub name: Option<String>,
+    /// The dual solution: status, iteration records, counts. Its `lambda` holds the solver's unknowns;
+    /// the forces stand in [`StepOutcome::contacts`].
     pub solution: Solution,
     /// Displacement of each body over its full dofs (x, y, z node by node).
     pub displacements: Vec<Vec<f64>>,
@@ -77,40 +94,11 @@ pub struct Outcome {
     pub contacts: Vec<Vec<PairState>>,
     /// Independent check of the result.
     pub certificate: Certificate,
-    /// Wall-clock times.
-    pub times: Times,
-    /// Peak memory of the process so far, where the system tells.
-    pub peak_memory_bytes: Option<u64>,
+    /// With [`Status::NoEquilibrium`]: the motion that nothing resists.
+    pub unresisted: Option<UnresistedMotion>,
 }
 
-impl Outcome {
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "one place that gathers the parts of a result"
-    )]
-    pub(crate) fn new(
-        assembled: &Assembled,
-        description: Description,
-        settings: Settings,
-        solution: Solution,
-        displacements: Vec<Vec<f64>>,
-        certificate: Certificate,
-        times: Times,
-        peak_memory_bytes: Option<u64>,
-    ) -> Self {
-        let contacts = pair_states(assembled, &solution, &displacements);
-        Self {
-            description,
-            settings,
-            solution,
-            displacements,
-            contacts,
-            certificate,
-            times,
-            peak_memory_bytes,
-        }
-    }
-
+impl StepOutcome {
     /// Did the method reach its tolerance?
     pub fn converged(&self) -> bool {
         self.solution.status == Status::Converged
@@ -120,49 +108,90 @@ impl Outcome {
     pub fn pairs(&self) -> impl Iterator<Item = &PairState> {
         self.contacts.iter().flatten()
     }
+
+    /// Work that friction dissipates in the step.
+    pub fn dissipation(&self) -> f64 {
+        self.pairs().map(PairState::dissipation).sum()
+    }
 }
 
-fn pair_states(
-    assembled: &Assembled,
-    solution: &Solution,
-    displacements: &[Vec<f64>],
-) -> Vec<Vec<PairState>> {
-    let m = assembled.pair_count();
-    let mut relative = vec![0.0; 3 * m];
-    for (system, u) in assembled.bodies.iter().zip(displacements) {
-        let free = system.dofs.restrict(u);
-        system.coupling.add_product(&free, &mut relative);
+/// The result of a run.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Sizes, engine, factorisation.
+    pub description: Description,
+    /// The settings that were in force.
+    pub settings: Settings,
+    /// The steps that were made, at least one. A run ends with the first step that does not converge.
+    pub steps: Vec<StepOutcome>,
+    /// Steps that the model has.
+    pub planned_steps: usize,
+    /// Wall-clock times.
+    pub times: Times,
+    /// Peak memory of the process so far, where the system tells.
+    pub peak_memory_bytes: Option<u64>,
+}
+
+impl Outcome {
+    /// How the run ended: as its last step did, and `Interrupted` when steps are missing.
+    pub fn status(&self) -> Status {
+        match self.last().solution.status {
+            Status::Converged if self.steps.len() < self.planned_steps => Status::Interrupted,
+            status => status,
+        }
     }
-    let states = solution.active_set.states();
-    let lambda = &solution.lambda;
+
+    /// Did every step reach its tolerance?
+    pub fn converged(&self) -> bool {
+        self.status() == Status::Converged
+    }
+
+    /// The step made last.
+    ///
+    /// # Panics
+    /// Never: a run without a step has no outcome.
+    pub fn last(&self) -> &StepOutcome {
+        self.steps.last().expect("a run has at least one step")
+    }
+}
+
+/// The pairs of a step, contact by contact. `lambda` are the forces, `relative` and `previous` B u now
+/// and in the step before.
+pub(crate) fn pair_states(
+    assembled: &Assembled,
+    acting: &Acting,
+    solution: &Solution,
+    lambda: &[f64],
+    relative: &[f64],
+    previous: &[f64],
+) -> Vec<Vec<PairState>> {
+    let layout = &assembled.layout;
+    let state = |i: usize, pair: &ContactPair| {
+        let (closed, stick) = layout.state(&solution.active_set, i);
+        let global = |[a, b]: [f64; 2]| pair.frame.to_global([0.0, a, b]);
+        let local_slip = layout.tangential(relative, i);
+        let before = layout.tangential(previous, i);
+        let local_friction = layout.tangential(lambda, i);
+        PairState {
+            closed,
+            stick,
+            normal_force: lambda[i],
+            friction_force: global(local_friction),
+            local_friction,
+            slip_bounds: acting.slidings[i].bounds(lambda[i]),
+            gap: pair.gap - relative[i],
+            slip: global(local_slip),
+            local_slip,
+            local_slip_increment: std::array::from_fn(|k| local_slip[k] - before[k]),
+            pair: pair.clone(),
+        }
+    };
     let mut first = 0;
-    assembled
-        .contacts
-        .iter()
-        .map(|contact| {
-            let base = first;
-            first += contact.pairs.len();
-            contact
-                .pairs
-                .iter()
-                .enumerate()
-                .map(|(offset, pair)| {
-                    let i = base + offset;
-                    let tangential = |values: &[f64]| [values[m + 2 * i], values[m + 2 * i + 1]];
-                    let global = |[a, b]: [f64; 2]| pair.frame.to_global([0.0, a, b]);
-                    let local_slip = tangential(&relative);
-                    PairState {
-                        closed: states[i] == BlockState::Free,
-                        stick: states[m + i] == BlockState::Free,
-                        normal_force: lambda[i],
-                        friction_force: global(tangential(lambda)),
-                        gap: pair.gap - relative[i],
-                        slip: global(local_slip),
-                        local_slip,
-                        pair: pair.clone(),
-                    }
-                })
-                .collect()
-        })
-        .collect()
+    let contact = |data: &tresca_contact::ContactData| {
+        let base = first;
+        first += data.pairs.len();
+        let pairs = data.pairs.iter().enumerate();
+        pairs.map(|(offset, pair)| state(base + offset, pair)).collect()
+    };
+    assembled.contacts.iter().map(contact).collect()
 }

@@ -5,6 +5,8 @@ use std::ops::ControlFlow;
 
 use tresca_qcqp::IterationRecord;
 
+use crate::model::Step;
+
 /// The stages of a run, in order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
@@ -29,6 +31,11 @@ pub trait Progress {
     /// The dual problem stands; its sizes and engine are known.
     fn problem(&mut self, description: &crate::Description) {
         let _ = description;
+    }
+
+    /// A load step, `number` of `count`, is about to be solved.
+    fn step(&mut self, number: usize, count: usize, step: &Step) {
+        let _ = (number, count, step);
     }
 
     /// An iteration is done. `Break` stops the method, which then returns what it has.

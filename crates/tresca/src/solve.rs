@@ -1,18 +1,22 @@
-//! The run: model → matrices → dual problem → λ → u → certificate.
+//! The run: model → matrices → dual problem → λ → u → certificate, load step after load step.
 
 use std::ops::ControlFlow;
 use std::time::Instant;
 
 use serde::Serialize;
 use tresca_la::vector::dot;
-use tresca_qcqp::{DualProblem, Settings};
+use tresca_qcqp::{DualProblem, Settings, Solution, Status};
 
 use crate::assemble::{Assembled, assemble};
 use crate::certificate::{Candidate, certify};
 use crate::dual::{
-    EngineChoice, FactorWork, Factored, choose_engine, displacements, dual_problem, factor,
+    EngineChoice, FactorWork, Factored, choose_engine, dual_problem, elastic_displacements, factor,
+    full_displacements,
 };
-use crate::outcome::{Outcome, Times};
+use crate::floating::{add_motions, load_on_motions, unresisted};
+use crate::load_step::{Acting, acting};
+use crate::model::Step;
+use crate::outcome::{Outcome, StepOutcome, Times, pair_states};
 use crate::progress::{Progress, Stage};
 use crate::{Model, ModelError, memory};
 
@@ -27,6 +31,8 @@ pub struct Description {
     pub pairs: usize,
     /// Pairs left out because both nodes are held.
     pub held_pairs: usize,
+    /// Rigid motions that the supports leave to the bodies, and that contact has to hold.
+    pub rigid_motions: usize,
     /// The engine and why.
     pub engine: EngineChoice,
     /// What the factorisation cost.
@@ -36,7 +42,7 @@ pub struct Description {
 /// A model that is assembled, factored and posed as a dual problem: ready to be solved, more
 /// than once if need be.
 pub struct Prepared {
-    /// K, f, B, d, g.
+    /// K, B, d and the friction data.
     pub assembled: Assembled,
     /// The factors.
     pub factored: Factored,
@@ -50,7 +56,7 @@ pub struct Prepared {
 
 /// How a run ended.
 pub enum Run {
-    /// To its end. Whether it *converged*, the outcome's status says.
+    /// To its end, or to the first step that failed. Whether it *converged*, the outcome's status says.
     Finished(Box<Outcome>),
     /// Stopped by the caller before the first iteration, at this stage: there is no result.
     Stopped(Stage),
@@ -92,20 +98,19 @@ pub fn prepare(
         return Ok(ControlFlow::Break(Stage::Factorization));
     }
     let begin = Instant::now();
-    let pairs = assembled.pair_count();
-    let engine = choose_engine(settings.engine, 3 * pairs);
+    let many = model.steps().len() > 1
+        || model.contacts().iter().any(|contact| contact.friction.is_coulomb());
+    let engine = choose_engine(settings.engine, assembled.layout.unknowns(), many);
     let contact_last = engine.engine != tresca_qcqp::Engine::Factored;
     let factored = factor(model, &assembled, contact_last)?;
-    let dual = dual_problem(&assembled, &factored, engine.engine)?;
+    let dual = dual_problem(model, &assembled, &factored, engine.engine)?;
+    let floating = assembled.bodies.iter().filter_map(|body| body.floating.as_ref());
     let description = Description {
         dofs: assembled.dof_count(),
         bodies: assembled.bodies.len(),
-        pairs,
-        held_pairs: assembled
-            .contacts
-            .iter()
-            .map(|contact| contact.held_pairs)
-            .sum(),
+        pairs: assembled.pair_count(),
+        held_pairs: assembled.contacts.iter().map(|contact| contact.held_pairs).sum(),
+        rigid_motions: floating.map(|floating| floating.motions.len()).sum(),
         engine,
         factorization: factored.work,
     };
@@ -123,60 +128,170 @@ pub fn prepare(
     }))
 }
 
+/// Where the step before left the contact.
+struct State {
+    /// The solver's unknowns and the slip bounds they belong to; `None` before the first step.
+    start: Option<Start>,
+    /// B u.
+    relative: Vec<f64>,
+}
+
 impl Prepared {
-    /// Solves the dual problem and recovers displacements, contact state and certificate.
+    /// Solves the load steps of the model one after another, each from the state that the one before
+    /// left, and recovers displacements, contact state and certificate.
     ///
     /// # Errors
-    /// When the settings are wrong.
+    /// When the settings are wrong, or a load is not finite.
     pub fn solve(
         &mut self,
         model: &Model,
         settings: &Settings,
         progress: &mut dyn Progress,
     ) -> Result<Run, ModelError> {
-        if progress.stage(Stage::Solve).is_break() {
-            return Ok(Run::Stopped(Stage::Solve));
+        let own;
+        let steps = match model.steps() {
+            [] => {
+                own = [model.whole_step()];
+                &own[..]
+            }
+            steps => steps,
+        };
+        let mut state = State {
+            start: None,
+            relative: vec![0.0; self.assembled.layout.unknowns()],
+        };
+        let mut outcome = Outcome {
+            description: self.description.clone(),
+            settings: settings.clone(),
+            steps: Vec::with_capacity(steps.len()),
+            planned_steps: steps.len(),
+            times: self.times,
+            peak_memory_bytes: None,
+        };
+        for (index, step) in steps.iter().enumerate() {
+            progress.step(index + 1, steps.len(), step);
+            if progress.stage(Stage::Solve).is_break() {
+                if outcome.steps.is_empty() {
+                    return Ok(Run::Stopped(Stage::Solve));
+                }
+                break;
+            }
+            let done = self.step(model, settings, step, &mut state, &mut outcome.times, progress)?;
+            let converged = done.converged();
+            outcome.steps.push(StepOutcome {
+                number: index + 1,
+                ..done
+            });
+            if !converged {
+                break;
+            }
         }
+        outcome.peak_memory_bytes = memory::peak_bytes();
+        Ok(Run::Finished(Box::new(outcome)))
+    }
+
+    fn step(
+        &mut self,
+        model: &Model,
+        settings: &Settings,
+        step: &Step,
+        state: &mut State,
+        times: &mut Times,
+        progress: &mut dyn Progress,
+    ) -> Result<StepOutcome, ModelError> {
+        let begin = Instant::now();
+        let acting = acting(model, &self.assembled, step)?;
+        let load_energy = self.pose(&acting, &state.relative)?;
+        times.recovery += begin.elapsed().as_secs_f64();
+
         let begin = Instant::now();
         let mut observer = |record: &tresca_qcqp::IterationRecord| progress.iteration(record);
-        let solution = tresca_qcqp::solve(&mut self.dual, settings, None, &mut observer)?;
-        let solve = begin.elapsed().as_secs_f64();
+        let start = state.start.as_ref();
+        let solution = tresca_qcqp::solve(&mut self.dual, settings, start, &mut observer)?;
+        times.solve += begin.elapsed().as_secs_f64();
 
         // From here on the result exists; an interruption must not lose it.
         let _ = progress.stage(Stage::Recovery);
         let begin = Instant::now();
-        let displacements = displacements(&self.assembled, &self.factored, &solution.lambda);
-        let load_energy = self
-            .assembled
-            .bodies
-            .iter()
-            .zip(&self.factored.unconstrained)
-            .map(|(system, u)| dot(&system.free_load(), u))
-            .sum();
+        let outcome = self.recover(model, step, &acting, solution, load_energy, state)?;
+        times.recovery += begin.elapsed().as_secs_f64();
+        Ok(outcome)
+    }
+
+    /// Poses the dual problem of a step: b = B u⁰ − c with u⁰ the displacement without contact,
+    /// c = \[d; T u of the step before\], e = Rᵀf, and the slip bounds. Returns fᵀK⁺f.
+    fn pose(&mut self, acting: &Acting, previous: &[f64]) -> Result<f64, ModelError> {
+        let assembled = &self.assembled;
+        let layout = &assembled.layout;
+        let without = vec![0.0; layout.unknowns()];
+        let free = elastic_displacements(assembled, &self.factored, &acting.free_loads, &without);
+        let energy = acting.free_loads.iter().zip(&free).map(|(f, u)| dot(f, u)).sum();
+        let mut b =
+            assembled.relative(&full_displacements(assembled, &free, &acting.prescribed));
+        for (b, pair) in b.iter_mut().zip(assembled.pairs()) {
+            *b -= pair.gap;
+        }
+        for i in layout.frictional(&acting.slidings) {
+            b[i] -= previous[i];
+        }
+        self.dual.set_rhs(layout.dual(&b))?;
+        self.dual.set_set(layout.set(&acting.slidings)?)?;
+        if self.description.rigid_motions > 0 {
+            self.dual.set_equality_rhs(load_on_motions(assembled, &acting.free_loads))?;
+        }
+        Ok(energy)
+    }
+
+    fn recover(
+        &self,
+        model: &Model,
+        step: &Step,
+        acting: &Acting,
+        solution: Solution,
+        load_energy: f64,
+        state: &mut State,
+    ) -> Result<StepOutcome, ModelError> {
+        let assembled = &self.assembled;
+        let no_equilibrium = solution.status == Status::NoEquilibrium;
+        let free = if no_equilibrium {
+            // There is no displacement; the supports alone are where they should be.
+            assembled.bodies.iter().map(|body| vec![0.0; body.dofs.free_len()]).collect()
+        } else {
+            let (loads, mu) = (&acting.free_loads, &solution.lambda);
+            let mut free = elastic_displacements(assembled, &self.factored, loads, mu);
+            add_motions(assembled, &solution.multiplier, &mut free);
+            free
+        };
+        let displacements = full_displacements(assembled, &free, &acting.prescribed);
+        let lambda = assembled.layout.forces(&solution.lambda);
+        let relative = assembled.relative(&displacements);
+        let contacts =
+            pair_states(assembled, acting, &solution, &lambda, &relative, &state.relative);
         let certificate = certify(
             model,
-            &self.assembled,
+            assembled,
             &Candidate {
-                lambda: &solution.lambda,
+                lambda: &lambda,
                 displacements: &displacements,
+                previous: &state.relative,
+                acting,
                 dual_objective: solution.objective,
                 load_energy,
             },
         )?;
-        let times = Times {
-            solve,
-            recovery: begin.elapsed().as_secs_f64(),
-            ..self.times
-        };
-        Ok(Run::Finished(Box::new(Outcome::new(
-            &self.assembled,
-            self.description.clone(),
-            settings.clone(),
+        let motion = solution.motion.as_deref().filter(|_| no_equilibrium);
+        let unresisted = motion.map(|v| unresisted(model, assembled, v));
+        state.relative = relative;
+        state.start = Some(Start::of(&solution));
+        Ok(StepOutcome {
+            number: 1,
+            time: step.time,
+            name: step.name.clone(),
             solution,
             displacements,
+            contacts,
             certificate,
-            times,
-            memory::peak_bytes(),
-        ))))
+            unresisted,
+        })
     }
 }

@@ -1,11 +1,13 @@
 //! The summary of a run, as it is written to `summary.json`.
 
 use serde::Serialize;
-use tresca_qcqp::{Settings, StateCounts, Status};
+use tresca_qcqp::{Settings, Status};
 
 use crate::certificate::Certificate;
 use crate::dual::{EngineChoice, FactorWork};
-use crate::outcome::Outcome;
+use crate::floating::UnresistedMotion;
+use crate::model::Model;
+use crate::outcome::{Outcome, PairState, StepOutcome};
 
 /// `summary.json`. Forces, lengths and stresses in the user's units.
 #[derive(Debug, Clone, Serialize)]
@@ -14,25 +16,120 @@ pub struct Summary {
     pub title: String,
     /// Version of tresca.
     pub version: &'static str,
-    /// How the method ended.
+    /// How the run ended: as its last step, `interrupted` when steps are missing.
     pub status: Status,
     /// The method.
     pub method: &'static str,
-    /// Iterations.
+    /// Iterations of all steps.
     pub iterations: usize,
-    /// Multiplications by A, estimate of σmax included.
+    /// Multiplications by A in all steps, estimate of σmax included.
     pub n_a: usize,
     /// Multiplications that went into the estimate of σmax.
     pub n_a_setup: usize,
-    /// ‖r̃(λ)‖ / ‖r̃(0)‖.
-    pub relative_reduced_gradient: f64,
-    /// q(λ).
-    pub dual_objective: f64,
     /// Free and held dofs of all bodies.
     pub dofs: usize,
     /// Bodies.
     pub bodies: usize,
+    /// Rigid motions that supports leave and contact has to hold.
+    pub rigid_motions: usize,
+    /// Steps that the case has.
+    pub planned_steps: usize,
+    /// The steps that were made.
+    pub steps: Vec<StepSummary>,
+    /// Seconds.
+    pub times: TimesSummary,
+    /// Peak memory of the process.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak_memory_bytes: Option<u64>,
+    /// Engine and why.
+    pub engine: EngineChoice,
+    /// Nonzeros, flops and time of the factorisation.
+    pub factorization: FactorSummary,
+    /// Threads.
+    pub threads: usize,
+    /// All settings, resolved.
+    pub settings: Settings,
+}
+
+/// A load step.
+#[derive(Debug, Clone, Serialize)]
+pub struct StepSummary {
+    /// Its number, from 1.
+    pub step: usize,
+    /// Instant in the time series.
+    pub time: f64,
+    /// Its name in the case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// How the method ended.
+    pub status: Status,
+    /// Iterations.
+    pub iterations: usize,
+    /// Multiplications by A.
+    pub n_a: usize,
+    /// ‖r̃(λ)‖ / ‖r̃(0)‖.
+    pub relative_reduced_gradient: f64,
+    /// Residual of the equilibrium of floating bodies, on the same scale; 0 without them.
+    pub equality_residual: f64,
+    /// Outer iterations: updates of Coulomb bounds.
+    pub outer_iterations: usize,
+    /// Relative change of the Coulomb bounds in the last of them; 0 without Coulomb's law.
+    pub outer_residual: f64,
+    /// q(λ).
+    pub dual_objective: f64,
     /// The contact in figures.
+    pub contact: ContactSummary,
+    /// The force that each contact hands from the slave to the master.
+    pub resultants: Vec<ContactResultant>,
+    /// Independent check of the result.
+    pub certificate: Certificate,
+    /// With `no_equilibrium`: what moves without resistance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unresisted_motion: Option<MotionSummary>,
+}
+
+/// Resultant of one contact.
+#[derive(Debug, Clone, Serialize)]
+pub struct ContactResultant {
+    /// The slave surface, as `body.faces`.
+    pub slave: String,
+    /// The master surface.
+    pub master: String,
+    /// Σ λν.
+    pub normal_force_sum: f64,
+    /// Σ (λν ν + λτ) in global components: the force on the master; the slave feels the opposite. In an
+    /// axisymmetric model the radial parts of a ring cancel: the first entry is their sum nevertheless.
+    pub force: [f64; 3],
+}
+
+/// A motion that nothing resists.
+#[derive(Debug, Clone, Serialize)]
+pub struct MotionSummary {
+    /// What moves, and how.
+    pub bodies: Vec<BodyMotion>,
+    /// Contacts that open or slide in it.
+    pub contacts: Vec<ContactMotion>,
+}
+
+/// A body in such a motion.
+#[derive(Debug, Clone, Serialize)]
+pub struct BodyMotion {
+    /// The body.
+    pub body: String,
+    /// Translation or rotation, in words.
+    pub motion: String,
+}
+
+/// A contact in such a motion.
+#[derive(Debug, Clone, Serialize)]
+pub struct ContactMotion {
+    /// Slave and master surface.
+    pub contact: String,
+    /// `opens` or `slides`.
+    pub does: &'static str,
+}
+
+/// The contact in figures.
     pub contact: ContactSummary,
     /// Independent check of the result.
     pub certificate: Certificate,
@@ -74,6 +171,8 @@ pub struct ContactSummary {
     pub max_slip_component: f64,
     /// Largest gap left.
     pub max_gap: f64,
+    /// Work that friction dissipates in the step.
+    pub dissipation: f64,
 }
 
 /// Wall-clock seconds.
@@ -105,47 +204,26 @@ pub struct FactorSummary {
 
 impl Summary {
     /// Summarises an outcome. `output` is the time spent on stresses and files so far.
-    pub fn new(title: &str, outcome: &Outcome, output: f64) -> Self {
-        let solution = &outcome.solution;
-        let StateCounts {
-            open,
-            closed,
-            stick,
-            slip,
-            ..
-        } = solution.active_set.counts();
-        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    pub fn new(model: &Model, outcome: &Outcome, output: f64) -> Self {
         let times = outcome.times;
+        let solutions = || outcome.steps.iter().map(|step| &step.solution);
         Self {
-            title: title.to_owned(),
+            title: model.title().to_owned(),
             version: crate::VERSION,
-            status: solution.status,
-            method: solution.method.name(),
-            iterations: solution.iterations,
-            n_a: solution.n_a,
-            n_a_setup: solution.n_a_setup,
-            relative_reduced_gradient: solution.relative_reduced_gradient,
-            dual_objective: solution.objective,
+            status: outcome.status(),
+            method: outcome.settings.method.name(),
+            iterations: solutions().map(|solution| solution.iterations).sum(),
+            n_a: solutions().map(|solution| solution.n_a).sum(),
+            n_a_setup: solutions().map(|solution| solution.n_a_setup).sum(),
             dofs: outcome.description.dofs,
             bodies: outcome.description.bodies,
-            contact: ContactSummary {
-                pairs: outcome.description.pairs,
-                closed,
-                open,
-                stick,
-                slip,
-                held: outcome.description.held_pairs,
-                normal_force_sum: outcome.pairs().map(|pair| pair.normal_force).sum(),
-                max_pressure: largest(&mut outcome.pairs().map(|pair| pair.pressure())),
-                max_slip_component: largest(
-                    &mut outcome
-                        .pairs()
-                        .flat_map(|pair| pair.local_slip)
-                        .map(f64::abs),
-                ),
-                max_gap: largest(&mut outcome.pairs().map(|pair| pair.gap)),
-            },
-            certificate: outcome.certificate.clone(),
+            rigid_motions: outcome.description.rigid_motions,
+            planned_steps: outcome.planned_steps,
+            steps: outcome
+                .steps
+                .iter()
+                .map(|step| StepSummary::new(model, step, outcome.description.held_pairs))
+                .collect(),
             times: TimesSummary {
                 assembly: times.assembly,
                 factorization: times.factorization,
@@ -163,5 +241,79 @@ impl Summary {
             threads: rayon::current_num_threads(),
             settings: outcome.settings.clone(),
         }
+    }
+
+    /// The step made last.
+    ///
+    /// # Panics
+    /// Never: a run without a step has no summary.
+    pub fn last(&self) -> &StepSummary {
+        self.steps.last().expect("a run has at least one step")
+    }
+}
+
+impl StepSummary {
+    fn new(model: &Model, step: &StepOutcome, held: usize) -> Self {
+        let solution = &step.solution;
+        let count = |test: fn(&PairState) -> bool| step.pairs().filter(|pair| test(pair)).count();
+        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+        Self {
+            step: step.number,
+            time: step.time,
+            name: step.name.clone(),
+            status: solution.status,
+            iterations: solution.iterations,
+            n_a: solution.n_a,
+            relative_reduced_gradient: solution.relative_reduced_gradient,
+            equality_residual: solution.equality_residual,
+            outer_iterations: solution.outer_iterations,
+            outer_residual: solution.outer_residual,
+            dual_objective: solution.objective,
+            contact: ContactSummary {
+                pairs: step.pairs().count(),
+                closed: count(|pair| pair.closed),
+                open: count(|pair| !pair.closed),
+                stick: count(|pair| pair.stick),
+                slip: count(|pair| !pair.stick),
+                held,
+                normal_force_sum: step.pairs().map(|pair| pair.normal_force).sum(),
+                max_pressure: largest(&mut step.pairs().map(PairState::pressure)),
+                max_slip_component: largest(
+                    &mut step.pairs().flat_map(|pair| pair.local_slip).map(f64::abs),
+                ),
+                max_gap: largest(&mut step.pairs().map(|pair| pair.gap)),
+                dissipation: step.dissipation(),
+            },
+            resultants: resultants(model, step),
+            certificate: step.certificate.clone(),
+            unresisted_motion: step.unresisted.as_ref().map(motion),
+        }
+    }
+}
+
+fn resultants(model: &Model, step: &StepOutcome) -> Vec<ContactResultant> {
+    let contacts = model.contacts().iter().zip(&step.contacts);
+    contacts
+        .map(|(contact, pairs)| {
+            let force = |pair: &PairState| -> [f64; 3] {
+                let normal = pair.pair.frame.normal;
+                std::array::from_fn(|k| pair.normal_force * normal[k] + pair.friction_force[k])
+            };
+            ContactResultant {
+                slave: model.surface_name(&contact.slave),
+                master: model.surface_name(&contact.master),
+                normal_force_sum: pairs.iter().map(|pair| pair.normal_force).sum(),
+                force: std::array::from_fn(|k| pairs.iter().map(|pair| force(pair)[k]).sum()),
+            }
+        })
+        .collect()
+}
+
+fn motion(motion: &UnresistedMotion) -> MotionSummary {
+    let bodies = motion.bodies.iter().cloned();
+    let contacts = motion.contacts.iter().cloned();
+    MotionSummary {
+        bodies: bodies.map(|(body, motion)| BodyMotion { body, motion }).collect(),
+        contacts: contacts.map(|(contact, does)| ContactMotion { contact, does }).collect(),
     }
 }

@@ -67,9 +67,7 @@ pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
         .clamp(surface("lower", "x-"))?;
     let loaded = [surface("upper", "z+"), surface("upper", "x-")];
     model.add_traction(&loaded, [0.0, 0.0, -units.stress])?;
-    let friction = FrictionLaw::Tresca {
-        bound: 0.09 * units.stress,
-    };
+    let friction = FrictionLaw::tresca(0.09 * units.stress);
     model.add_contact(surface("upper", "z-"), surface("lower", "z+"), friction)?;
     Ok(model)
 }

@@ -1,0 +1,190 @@
+//! Bodies that supports do not hold completely: their rigid motions, and what keeps them in place.
+//!
+//! K of such a body is singular, its null space spanned by the rigid motions R. It is grounded, K + CCᵀ
+//! with as many columns of C as motions: the inverse of that is a generalised inverse of K, and no
+//! spring is left in the answer, because equilibrium, Gλ = e with G = RᵀBᵀ and e = Rᵀf, makes
+//! the forces in C vanish (docs/theory.md, "Floating bodies").
+
+use tresca_fem::dofs::DofMap;
+use tresca_fem::rigid::{self, FreeMotion, Grounding};
+use tresca_la::vector::dot;
+use tresca_qcqp::Equality;
+use tresca_qcqp::operator::Coupling;
+
+use crate::ModelError;
+use crate::assemble::Assembled;
+use crate::model::{Body, Model};
+
+/// The rigid motions of a body and how they are kept out of its factor.
+#[derive(Debug, Clone)]
+pub struct Floating {
+    /// A basis of the motions that the supports leave.
+    pub motions: Vec<FreeMotion>,
+    /// C, R over the free dofs, and S = (RᵀCCᵀR)⁻¹.
+    pub grounding: Grounding,
+}
+
+/// What the supports leave free of a body, if anything.
+///
+/// # Errors
+/// [`ModelError::Floating`] when no contact touches the part that is free.
+pub(crate) fn floating(
+    body: &Body,
+    dofs: &DofMap,
+    contact: &Coupling,
+) -> Result<Option<Floating>, ModelError> {
+    let motions = rigid::remaining(&body.mesh, dofs);
+    if motions.is_empty() {
+        return Ok(None);
+    }
+    let mut nodes: Vec<usize> = contact
+        .touched()
+        .into_iter()
+        .map(|dof| dof / body.mesh.dimension())
+        .collect();
+    nodes.dedup();
+    let untouched = motions.iter().filter(|motion| {
+        let u = motion.displacement(&body.mesh);
+        let mut relative = vec![0.0; contact.rows()];
+        contact.add_product(&u, &mut relative);
+        relative.iter().all(|&x| x == 0.0)
+            && !nodes.iter().any(|&node| motion.nodes().binary_search(&node).is_ok())
+    });
+    let untouched: Vec<String> = untouched.map(ToString::to_string).collect();
+    if !untouched.is_empty() {
+        return Err(ModelError::Floating {
+            body: body.name.clone(),
+            motions: untouched,
+        });
+    }
+    let grounding = Grounding::new(&body.mesh, &body.material, dofs, &motions, &nodes);
+    Ok(Some(Floating { motions, grounding }))
+}
+
+/// G and S of all floating bodies, e left at zero; `None` when every body is held.
+pub(crate) fn equality(assembled: &Assembled) -> Option<Equality> {
+    let floating: Vec<_> = assembled
+        .bodies
+        .iter()
+        .filter_map(|body| Some((body, body.floating.as_ref()?)))
+        .collect();
+    let count: usize = floating.iter().map(|(_, f)| f.motions.len()).sum();
+    if count == 0 {
+        return None;
+    }
+    let mut rows = Vec::with_capacity(count);
+    let mut metric = vec![vec![0.0; count]; count];
+    for (body, floating) in floating {
+        let first = rows.len();
+        for (k, motion) in floating.grounding.r.iter().enumerate() {
+            let mut row = vec![0.0; assembled.layout.unknowns()];
+            body.coupling.add_product(motion, &mut row);
+            rows.push(row);
+            for (l, &entry) in floating.grounding.s[k].iter().enumerate() {
+                metric[first + k][first + l] = entry;
+            }
+        }
+    }
+    Some(Equality {
+        rows,
+        rhs: vec![0.0; count],
+        metric,
+    })
+}
+
+/// e = Rᵀf of all floating bodies for loads over their free dofs.
+pub(crate) fn load_on_motions(assembled: &Assembled, free_loads: &[Vec<f64>]) -> Vec<f64> {
+    let bodies = assembled.bodies.iter().zip(free_loads);
+    bodies
+        .filter_map(|(body, f)| Some((body.floating.as_ref()?, f)))
+        .flat_map(|(floating, f)| floating.grounding.r.iter().map(move |r| dot(r, f)))
+        .collect()
+}
+
+/// Adds R α to displacements over the free dofs; `alpha` holds the motions of all bodies in order.
+pub(crate) fn add_motions(assembled: &Assembled, alpha: &[f64], displacements: &mut [Vec<f64>]) {
+    let mut alpha = alpha.iter();
+    for (body, u) in assembled.bodies.iter().zip(displacements) {
+        for r in body.floating.iter().flat_map(|floating| &floating.grounding.r) {
+            if let Some(&amount) = alpha.next() {
+                tresca_la::vector::axpy(amount, r, u);
+            }
+        }
+    }
+}
+
+/// A motion that nothing resists, in words and as a displacement.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnresistedMotion {
+    /// The bodies that move, with how they move.
+    pub bodies: Vec<(String, String)>,
+    /// The contacts that open or slide in it, as `slave – master`, with which of the two they do.
+    pub contacts: Vec<(String, &'static str)>,
+    /// Displacement of each body over its full dofs, the largest component 1.
+    pub displacements: Vec<Vec<f64>>,
+}
+
+/// Amounts below this, relative to the largest, are rounding in a motion.
+const VISIBLE: f64 = 1e-3;
+
+/// Puts the combination `v` of all rigid motions in words.
+pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> UnresistedMotion {
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, x| a.max(x.abs()));
+    let mut free: Vec<Vec<f64>> = assembled
+        .bodies
+        .iter()
+        .map(|body| vec![0.0; body.dofs.free_len()])
+        .collect();
+    add_motions(assembled, v, &mut free);
+    let bodies = assembled.bodies.iter().zip(&free);
+    let mut displacements: Vec<Vec<f64>> =
+        bodies.map(|(body, u)| body.dofs.expand(u)).collect();
+    let size = largest(&mut displacements.iter().flatten().copied());
+    displacements
+        .iter_mut()
+        .flatten()
+        .for_each(|x| *x /= size.max(f64::MIN_POSITIVE));
+
+    let mut names = Vec::new();
+    let mut first = 0;
+    for (body, system) in model.bodies().iter().zip(&assembled.bodies) {
+        let Some(floating) = &system.floating else {
+            continue;
+        };
+        let own = &v[first..first + floating.motions.len()];
+        first += own.len();
+        for motion in rigid::combined(&floating.motions, own) {
+            let moves = largest(&mut motion.displacement(&body.mesh).into_iter());
+            if moves > VISIBLE * size {
+                names.push((body.name.clone(), motion.to_string()));
+            }
+        }
+    }
+
+    let relative = assembled.relative(&displacements);
+    let m = assembled.pair_count();
+    let mut contacts = Vec::new();
+    let mut first = 0;
+    for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
+        let pairs = first..first + data.pairs.len();
+        first = pairs.end;
+        let opens = pairs.clone().any(|i| relative[i] < -VISIBLE);
+        let slides = pairs
+            .clone()
+            .any(|i| assembled.layout.tangential(&relative[..], i).into_iter().any(|s| s.abs() > VISIBLE));
+        debug_assert!(pairs.end <= m);
+        if opens || slides {
+            let name = format!(
+                "{} – {}",
+                model.surface_name(&contact.slave),
+                model.surface_name(&contact.master)
+            );
+            contacts.push((name, if opens { "opens" } else { "slides" }));
+        }
+    }
+    UnresistedMotion {
+        bodies: names,
+        contacts,
+        displacements,
+    }
+}

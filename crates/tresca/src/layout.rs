@@ -1,0 +1,240 @@
+//! From what pairs may do to the convex sets of the dual problem.
+//!
+//! λ = \[λν (m); λτ ((d−1) m)\]. An ellipse of friction becomes a disc by λτ = diag(w1, w2) μτ, the larger
+//! weight being 1 (docs/theory.md, "Orthotropic friction"): the solver's unknown is μ, everyone else's is λ.
+//! A direction in which supports let a pair not move carries no force.
+
+use tresca_contact::{ContactPair, Opening, Sliding};
+use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line};
+use tresca_qcqp::{ActiveSet, CoulombBound, ProductSet, QcqpError};
+
+/// How the tangential unknowns of a pair are constrained.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shape {
+    /// One disc for both (or, where the two bounds have a ratio, for both after weighting).
+    Disc,
+    /// Each for itself: in the plane, on symmetry planes, and where one of two bounds is zero.
+    Separate,
+}
+
+/// The blocks of one pair.
+#[derive(Debug, Clone, Copy)]
+struct PairBlocks {
+    opening: Opening,
+    mobility: tresca_contact::Mobility,
+    shape: Shape,
+    /// Number of its first tangential block.
+    first_tangential: usize,
+}
+
+/// Where every pair stands in λ and in Λ. The same for all load steps.
+#[derive(Debug, Clone)]
+pub struct Layout {
+    tangents: usize,
+    pairs: Vec<PairBlocks>,
+    weights: Vec<f64>,
+}
+
+impl Layout {
+    /// The layout for pairs in `dimension` dimensions, each with how it opens.
+    pub(crate) fn new<'a>(
+        dimension: usize,
+        pairs: impl Iterator<Item = (Opening, &'a ContactPair)>,
+    ) -> Self {
+        let tangents = dimension - 1;
+        let mut blocks = Vec::new();
+        let mut tangential_weights = Vec::new();
+        let mut tangential_blocks = 0;
+        for (opening, pair) in pairs {
+            let axes = semi_axes(&pair.sliding);
+            let shape = match axes {
+                _ if tangents == 1 || pair.mobility.tangents != [true; 2] => Shape::Separate,
+                None => Shape::Separate,
+                Some([a, b]) if (a == 0.0) != (b == 0.0) => Shape::Separate,
+                Some(_) => Shape::Disc,
+            };
+            let weights = match (shape, axes) {
+                (Shape::Disc, Some([a, b])) if a != b => [a / a.max(b), b / a.max(b)],
+                _ => [1.0; 2],
+            };
+            tangential_weights.extend_from_slice(&weights[..tangents]);
+            blocks.push(PairBlocks {
+                opening,
+                mobility: pair.mobility,
+                shape,
+                first_tangential: tangential_blocks,
+            });
+            tangential_blocks += match shape {
+                Shape::Disc => 1,
+                Shape::Separate => tangents,
+            };
+        }
+        // The normal blocks stand before them.
+        let normals = blocks.len();
+        for pair in &mut blocks {
+            pair.first_tangential += normals;
+        }
+        let mut weights = vec![1.0; normals];
+        weights.extend(tangential_weights);
+        Self {
+            tangents,
+            pairs: blocks,
+            weights,
+        }
+    }
+
+    /// m.
+    pub fn pair_count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Number of unknowns, d m.
+    pub fn unknowns(&self) -> usize {
+        self.weights.len()
+    }
+
+    /// The weights w of λ = diag(w) μ.
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// λ ↦ μ or back: `apply` is * or /.
+    fn weighted(&self, values: &[f64], apply: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+        let pairs = values.iter().zip(&self.weights);
+        pairs.map(|(&x, &w)| apply(x, w)).collect()
+    }
+
+    /// λ = diag(w) μ.
+    pub fn forces(&self, mu: &[f64]) -> Vec<f64> {
+        self.weighted(mu, |x, w| x * w)
+    }
+
+    /// diag(w) x of a relative displacement x = B u: what μ is dual to.
+    pub fn dual(&self, relative: &[f64]) -> Vec<f64> {
+        self.weighted(relative, |x, w| x * w)
+    }
+
+    /// The tangential unknowns of a pair as two components, the second zero in the plane.
+    pub fn tangential(&self, values: &[f64], pair: usize) -> [f64; 2] {
+        let first = self.pairs.len() + self.tangents * pair;
+        [
+            values[first],
+            if self.tangents == 2 { values[first + 1] } else { 0.0 },
+        ]
+    }
+
+    /// Whether the law keeps a pair from opening.
+    pub fn never_opens(&self, pair: usize) -> bool {
+        self.pairs[pair].opening == Opening::Never
+    }
+
+    /// The tangential unknowns (numbers in λ) that incremental friction speaks of: not those that are
+    /// glued.
+    pub(crate) fn frictional<'a>(
+        &'a self,
+        slidings: &'a [Sliding],
+    ) -> impl Iterator<Item = usize> + 'a {
+        let m = self.pairs.len();
+        let bounded = (0..m).filter(|&i| slidings[i] != Sliding::Never);
+        bounded.flat_map(move |i| (0..self.tangents).map(move |t| m + self.tangents * i + t))
+    }
+
+    /// Λ for the given laws, pair by pair. Coulomb bounds start at 0.
+    ///
+    /// # Errors
+    /// When a bound is no number ≥ 0.
+    pub(crate) fn set(&self, slidings: &[Sliding]) -> Result<ProductSet, QcqpError> {
+        let m = self.pairs.len();
+        let normals = self.pairs.iter().enumerate().map(|(start, pair)| Block {
+            start,
+            set: match pair.opening {
+                _ if !pair.mobility.normal => POINT,
+                Opening::Unilateral => BlockSet::HalfLine(HalfLine),
+                Opening::Never => BlockSet::Line(Line),
+            },
+        });
+        let tangentials = self.pairs.iter().zip(slidings).enumerate().flat_map(
+            |(i, (pair, sliding))| {
+                let first = m + self.tangents * i;
+                let bounds = sliding.bounds(0.0);
+                match (pair.shape, bounds) {
+                    (Shape::Disc, Some([a, b])) => vec![Block {
+                        start: first,
+                        set: BlockSet::Disc(Disc { bound: a.max(b) }),
+                    }],
+                    _ => (0..self.tangents)
+                        .map(|t| Block {
+                            start: first + t,
+                            set: match bounds {
+                                _ if !pair.mobility.tangents[t] => POINT,
+                                None => BlockSet::Line(Line),
+                                Some(bounds) => BlockSet::Interval(Interval { bound: bounds[t] }),
+                            },
+                        })
+                        .collect(),
+                }
+            },
+        );
+        ProductSet::new(self.unknowns(), normals.chain(tangentials).collect())
+    }
+
+    /// The blocks whose bound follows the normal force.
+    pub(crate) fn coulomb(&self, slidings: &[Sliding]) -> Vec<CoulombBound> {
+        let mut bounds = Vec::new();
+        for (normal, (pair, sliding)) in self.pairs.iter().zip(slidings).enumerate() {
+            let Sliding::Coulomb {
+                coefficients,
+                limit,
+            } = *sliding
+            else {
+                continue;
+            };
+            let largest = coefficients[0].max(coefficients[1]);
+            let mut push = |block: usize, coefficient: f64| {
+                let share = if largest > 0.0 { coefficient / largest } else { 1.0 };
+                // 0 · ∞ is no number: without a limit every axis is without one.
+                let limit = if limit.is_finite() { share * limit } else { limit };
+                bounds.push(CoulombBound {
+                    block,
+                    normal,
+                    coefficient,
+                    limit,
+                });
+            };
+            match pair.shape {
+                Shape::Disc => push(pair.first_tangential, largest),
+                Shape::Separate => {
+                    for t in (0..self.tangents).filter(|&t| pair.mobility.tangents[t]) {
+                        push(pair.first_tangential + t, coefficients[t]);
+                    }
+                }
+            }
+        }
+        bounds
+    }
+
+    /// Whether a pair carries a normal force, and whether it sticks, by the states of its blocks.
+    pub(crate) fn state(&self, active: &ActiveSet, pair: usize) -> (bool, bool) {
+        let states = active.states();
+        let own = &self.pairs[pair];
+        let stick = match own.shape {
+            Shape::Disc => states[own.first_tangential] == BlockState::Free,
+            Shape::Separate => (0..self.tangents)
+                .filter(|&t| own.mobility.tangents[t])
+                .all(|t| states[own.first_tangential + t] == BlockState::Free),
+        };
+        (states[pair] == BlockState::Free, stick)
+    }
+}
+
+/// An unknown that is always zero.
+const POINT: BlockSet = BlockSet::Interval(Interval { bound: 0.0 });
+
+/// The proportions of the ellipse, `None` where nothing slides.
+fn semi_axes(sliding: &Sliding) -> Option<[f64; 2]> {
+    match *sliding {
+        Sliding::Never => None,
+        Sliding::Bounded(bounds) => Some(bounds),
+        Sliding::Coulomb { coefficients, .. } => Some(coefficients),
+    }
+}

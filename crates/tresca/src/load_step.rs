@@ -1,0 +1,148 @@
+//! What acts in a load step: forces, prescribed displacements, slip bounds.
+
+use tresca_contact::{Field, Sliding};
+use tresca_fem::{assembly, loads};
+use tresca_la::vector::axpy;
+
+use crate::ModelError;
+use crate::assemble::{Assembled, supports};
+use crate::model::{Amount, LoadKind, Model, Step, VectorField};
+
+/// Everything that may change from step to step.
+#[derive(Debug, Clone)]
+pub struct Acting {
+    /// Load on each body over its full dofs (held ones too: they go straight into the reactions).
+    pub loads: Vec<Vec<f64>>,
+    /// Prescribed displacement of each body over its full dofs, zero at free ones.
+    pub prescribed: Vec<Vec<f64>>,
+    /// f − K u for these displacements, over the free dofs: the right-hand side.
+    pub free_loads: Vec<Vec<f64>>,
+    /// The law of every pair, slip bounds as they are in this step.
+    pub slidings: Vec<Sliding>,
+}
+
+/// What acts in a step.
+///
+/// # Errors
+/// When a load is not finite somewhere, or two supports disagree about a displacement.
+pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Acting, ModelError> {
+    let bodies = model.bodies();
+    let mut all_loads = Vec::with_capacity(bodies.len());
+    let mut all_prescribed = Vec::with_capacity(bodies.len());
+    let mut free_loads = Vec::with_capacity(bodies.len());
+    for (index, (body, system)) in bodies.iter().zip(&assembled.bodies).enumerate() {
+        let load = body_load(model, index, step)?;
+        let values = |number: usize| amount_of_support(model, step, number);
+        let prescribed = supports(model, index, values)?.values();
+        let reduced = assembly::reduced_load(
+            &body.mesh,
+            &body.material,
+            &system.dofs,
+            &load,
+            &prescribed,
+        );
+        free_loads.push(reduced.map_err(|source| ModelError::Body {
+            body: body.name.clone(),
+            source,
+        })?);
+        all_loads.push(load);
+        all_prescribed.push(prescribed);
+    }
+    let slidings = assembled.contacts.iter().zip(&step.bounds);
+    Ok(Acting {
+        loads: all_loads,
+        prescribed: all_prescribed,
+        free_loads,
+        slidings: slidings
+            .flat_map(|(data, &amount)| {
+                data.pairs.iter().map(move |pair| sliding(pair.sliding, pair.area, amount))
+            })
+            .collect(),
+    })
+}
+
+fn amount_of_support(model: &Model, step: &Step, number: usize) -> [Option<f64>; 3] {
+    match step.supports[number] {
+        Amount::Factor(factor) => model.supports()[number]
+            .components
+            .map(|value| value.map(|value| factor * value)),
+        Amount::Value(values) => values,
+    }
+}
+
+fn sliding(own: Sliding, area: f64, amount: Amount<f64>) -> Sliding {
+    match (own, amount) {
+        (Sliding::Bounded(bounds), Amount::Factor(factor)) => {
+            Sliding::Bounded(bounds.map(|bound| factor * bound))
+        }
+        // Only isotropic bounds can be replaced (`Model::add_step`); where supports leave the pair one
+        // tangent, the other one's bound is never looked at.
+        (Sliding::Bounded(_), Amount::Value(value)) => Sliding::Bounded([value * area; 2]),
+        (other, _) => other,
+    }
+}
+
+/// The load on a body over its full dofs.
+fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, ModelError> {
+    let mesh = &model.bodies()[index].mesh;
+    let mut sum = vec![0.0; mesh.dof_count()];
+    for (number, (load, &amount)) in model.loads().iter().zip(&step.loads).enumerate() {
+        let (factor, value) = match amount {
+            Amount::Factor(factor) => (factor, None),
+            Amount::Value(value) => (1.0, Some(value)),
+        };
+        add(model, index, &load.kind, value, factor, &mut sum);
+        if !sum.iter().all(|x| x.is_finite()) {
+            return Err(ModelError::NonFiniteLoad {
+                load: number,
+                body: model.bodies()[index].name.clone(),
+            });
+        }
+    }
+    Ok(sum)
+}
+
+/// sum ← sum + factor · load, with `value` in the place of the load's own.
+fn add(
+    model: &Model,
+    index: usize,
+    kind: &LoadKind,
+    value: Option<[f64; 3]>,
+    factor: f64,
+    sum: &mut [f64],
+) {
+    let body = &model.bodies()[index];
+    let mesh = &body.mesh;
+    match kind {
+        LoadKind::Traction { on, value: own } => {
+            let own = value.map_or_else(|| own.clone(), VectorField::Constant);
+            for surface in on.iter().filter(|surface| surface.body == index) {
+                let part = loads::traction_field(mesh, model.faces(surface), |x| own.at(x));
+                axpy(factor, &part, sum);
+            }
+        }
+        LoadKind::Pressure { on, value: own } => {
+            let pressure = |x| match (value, own) {
+                (Some(value), _) => value[0],
+                (None, Field::Constant(value)) => *value,
+                (None, Field::Function(function)) => function(x),
+                // `Model::add_load` refuses it.
+                (None, Field::Values(_)) => f64::NAN,
+            };
+            for surface in on.iter().filter(|surface| surface.body == index) {
+                let part = loads::pressure_field(mesh, model.faces(surface), pressure);
+                axpy(factor, &part, sum);
+            }
+        }
+        LoadKind::BodyForce { bodies, value: own } if bodies.contains(&index) => {
+            let force = value.unwrap_or(*own);
+            axpy(factor, &loads::body_force(mesh, |_| force), sum);
+        }
+        LoadKind::Gravity { bodies, value: own } if bodies.contains(&index) => {
+            let density = body.density.unwrap_or(0.0);
+            let force = value.unwrap_or(*own).map(|g| density * g);
+            axpy(factor, &loads::body_force(mesh, |_| force), sum);
+        }
+        LoadKind::BodyForce { .. } | LoadKind::Gravity { .. } => {}
+    }
+}
