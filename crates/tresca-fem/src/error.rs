@@ -1,6 +1,6 @@
 //! The one error type of the crate.
 
-use crate::mesh::CellKind;
+use crate::mesh::{CellKind, Space};
 
 /// What can be wrong with a mesh, a material, a support or a load.
 ///
@@ -8,16 +8,18 @@ use crate::mesh::CellKind;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FemError {
-    /// A brick has fewer than two nodes along an axis.
-    #[error("a brick needs at least 2 nodes along {axis}, found {found}")]
+    /// A brick or rectangle has fewer than two nodes along an axis.
+    #[error("a structured mesh needs at least 2 nodes along {axis}, found {found}")]
     TooFewNodes {
         /// The axis: x, y or z.
         axis: char,
         /// The number given.
         found: usize,
     },
-    /// A brick with min ≥ max, or with a bound that is no finite number.
-    #[error("a brick needs finite min < max along {axis}, found min = {min}, max = {max}")]
+    /// A brick or rectangle with min ≥ max, or with a bound that is no finite number.
+    #[error(
+        "a structured mesh needs finite min < max along {axis}, found min = {min}, max = {max}"
+    )]
     EmptyBox {
         /// The axis: x, y or z.
         axis: char,
@@ -26,17 +28,20 @@ pub enum FemError {
         /// Upper bound given.
         max: f64,
     },
-    /// Neither 2 nor 3.
-    #[error("the space dimension is 2 or 3, found {found}")]
-    Dimension {
-        /// The dimension given.
-        found: usize,
+    /// A rectangle in three-dimensional space.
+    #[error("a rectangle is a plane or an axisymmetric mesh, not a solid one")]
+    SolidRectangle,
+    /// A rectangle of cells that cannot fill one.
+    #[error("a rectangle is made of quad4 or tri3 cells, found {kind}")]
+    RectangleCells {
+        /// The cell kind given.
+        kind: CellKind,
     },
-    /// Elasticity is asked for on a mesh of the wrong dimension.
-    #[error("a three-dimensional mesh is needed here, found dimension {found}")]
-    NotThreeDimensional {
-        /// The mesh's dimension.
-        found: usize,
+    /// A material for plane stress on a mesh that is not plane.
+    #[error("plane stress needs a plane mesh, found {space}")]
+    PlaneStress {
+        /// The mesh's space.
+        space: Space,
     },
     /// A coordinate is NaN or infinite.
     #[error("node {node} has a coordinate that is no finite number: {point:?}")]
@@ -54,6 +59,14 @@ pub enum FemError {
         /// Its third coordinate.
         z: f64,
     },
+    /// A point of an axisymmetric mesh lies on the wrong side of the axis.
+    #[error("node {node} of an axisymmetric mesh has the radius x = {radius}, expected x >= 0")]
+    NegativeRadius {
+        /// The node.
+        node: usize,
+        /// Its first coordinate.
+        radius: f64,
+    },
     /// A connectivity whose length is no multiple of the cell's node count.
     #[error(
         "block {block} of {kind} cells has {found} node numbers, which is no multiple of {nodes}"
@@ -69,14 +82,14 @@ pub enum FemError {
         found: usize,
     },
     /// A cell kind that does not fill the mesh's space.
-    #[error("block {block} holds {kind} cells in a mesh of dimension {dimension}")]
+    #[error("block {block} holds {kind} cells, which do not fill the space of the mesh ({space})")]
     CellDimension {
         /// The cell block.
         block: usize,
         /// Kind of its cells.
         kind: CellKind,
-        /// The mesh's dimension.
-        dimension: usize,
+        /// The mesh's space.
+        space: Space,
     },
     /// A cell refers to a node that does not exist.
     #[error("cell {cell} refers to node {node}, but the mesh has {count} nodes")]

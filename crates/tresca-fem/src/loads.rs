@@ -1,19 +1,55 @@
 //! Consistent nodal loads, and what they add up to.
 //!
-//! A load is a vector over the full dofs. Its entries are forces (in the plane: per unit thickness).
+//! A load is a vector over the full dofs. Its entries are forces: per unit thickness in the plane, of
+//! the full circumference in an axisymmetric space (where the given vectors are radial, axial).
 
 use crate::element::{ShapeTable, interpolate, jacobian};
-use crate::mesh::{Face, FaceTables, Mesh, cell_determinant, gather_points};
+use crate::mesh::{Face, FaceTables, Mesh, Space, cell_determinant, gather_points};
 use crate::tensor::{cross, norm, sub};
 
 /// f_a = ∫ φ_a t dΓ for a constant traction t (force per area) on some faces.
 pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
+    traction_field(mesh, faces, |_| traction)
+}
+
+/// f_a = ∫ φ_a t dΓ for a traction t (force per area) that depends on the point, by each face's full
+/// rule.
+pub fn traction_field(
+    mesh: &Mesh,
+    faces: &[Face],
+    traction: impl Fn([f64; 3]) -> [f64; 3],
+) -> Vec<f64> {
+    let d = mesh.dimension();
     let mut load = vec![0.0; mesh.dof_count()];
-    for (node, area) in nodal_areas(mesh, faces).into_iter().enumerate() {
-        for i in 0..mesh.dimension {
-            load[mesh.dimension * node + i] = area * traction[i];
+    FaceTables::new(mesh).for_each_point(faces, |point| {
+        let (area, t) = (norm(point.area), traction(point.position));
+        for (&node, value) in point.nodes.iter().zip(point.values) {
+            for i in 0..d {
+                load[d * node + i] += value * area * t[i];
+            }
         }
-    }
+    });
+    load
+}
+
+/// f_a = −p ∫ φ_a n dΓ for a constant pressure p (force per area) on some faces: p > 0 presses on
+/// the body, against the outward unit normal n.
+pub fn pressure(mesh: &Mesh, faces: &[Face], pressure: f64) -> Vec<f64> {
+    pressure_field(mesh, faces, |_| pressure)
+}
+
+/// f_a = −∫ φ_a p n dΓ for a pressure p that depends on the point, by each face's full rule.
+pub fn pressure_field(mesh: &Mesh, faces: &[Face], pressure: impl Fn([f64; 3]) -> f64) -> Vec<f64> {
+    let d = mesh.dimension();
+    let mut load = vec![0.0; mesh.dof_count()];
+    FaceTables::new(mesh).for_each_point(faces, |point| {
+        let p = pressure(point.position);
+        for (&node, value) in point.nodes.iter().zip(point.values) {
+            for i in 0..d {
+                load[d * node + i] -= value * p * point.area[i];
+            }
+        }
+    });
     load
 }
 
@@ -30,7 +66,8 @@ pub fn nodal_areas(mesh: &Mesh, faces: &[Face]) -> Vec<f64> {
 }
 
 /// ∫ φ_a n dΓ over some faces, by node of the mesh, n the outward unit normal; zero off the faces.
-/// Its direction is the area-weighted mean normal of the faces at the node.
+/// Its direction is the area-weighted mean normal of the faces at the node (in an axisymmetric space
+/// the one in the meridian plane; a node on the axis has a share of the faces next to it).
 pub fn nodal_area_vectors(mesh: &Mesh, faces: &[Face]) -> Vec<[f64; 3]> {
     let mut areas = vec![[0.0; 3]; mesh.node_count()];
     FaceTables::new(mesh).for_each_point(faces, |point| {
@@ -45,6 +82,7 @@ pub fn nodal_area_vectors(mesh: &Mesh, faces: &[Face]) -> Vec<[f64; 3]> {
 
 /// f_a = ∫ φ_a b dΩ for a body force b (force per volume) given at points, by each cell's full rule.
 pub fn body_force(mesh: &Mesh, density: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
+    let d = mesh.dimension();
     let mut load = vec![0.0; mesh.dof_count()];
     for block in &mesh.cells {
         let table = ShapeTable::full(block.kind);
@@ -53,11 +91,13 @@ pub fn body_force(mesh: &Mesh, density: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f6
             gather_points(mesh, nodes, &mut points);
             for q in 0..table.len() {
                 let columns = jacobian(table.gradients(q), &points);
-                let volume = table.weights[q] * cell_determinant(mesh.dimension, &columns);
-                let b = density(interpolate(table.values(q), &points));
+                let x = interpolate(table.values(q), &points);
+                let volume =
+                    table.weights[q] * cell_determinant(d, &columns) * mesh.space.circumference(x);
+                let b = density(x);
                 for (&node, value) in nodes.iter().zip(table.values(q)) {
-                    for i in 0..mesh.dimension {
-                        load[mesh.dimension * node + i] += value * volume * b[i];
+                    for i in 0..d {
+                        load[d * node + i] += value * volume * b[i];
                     }
                 }
             }
@@ -77,6 +117,9 @@ pub struct Resultant {
 
 /// Resultant of a load (full dofs) about the point `about`.
 ///
+/// In an axisymmetric space the radial forces cancel around the circumference and no moment is left:
+/// only the axial force is reported.
+///
 /// # Panics
 /// When the load's length is not [`Mesh::dof_count`].
 pub fn resultant(mesh: &Mesh, load: &[f64], about: [f64; 3]) -> Resultant {
@@ -85,9 +128,14 @@ pub fn resultant(mesh: &Mesh, load: &[f64], about: [f64; 3]) -> Resultant {
         force: [0.0; 3],
         moment: [0.0; 3],
     };
-    for (&point, f) in mesh.points.iter().zip(load.chunks_exact(mesh.dimension)) {
+    let d = mesh.dimension();
+    for (&point, f) in mesh.points.iter().zip(load.chunks_exact(d)) {
+        if mesh.space == Space::Axisymmetric {
+            sum.force[1] += f[1];
+            continue;
+        }
         let mut force = [0.0; 3];
-        force[..mesh.dimension].copy_from_slice(f);
+        force[..d].copy_from_slice(f);
         let moment = cross(sub(point, about), force);
         for i in 0..3 {
             sum.force[i] += force[i];

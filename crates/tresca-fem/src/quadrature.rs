@@ -1,4 +1,5 @@
-//! Gauss–Legendre quadrature on the line, square and cube [−1, 1]^d.
+//! Quadrature on the line, square and cube [−1, 1]^d (Gauss–Legendre) and on the triangle
+//! ξ, η ≥ 0, ξ + η ≤ 1.
 
 /// Points and weights of a quadrature rule on a reference element.
 #[derive(Clone, Debug, PartialEq)]
@@ -101,6 +102,42 @@ pub fn gauss_cube(n: usize) -> Rule {
     Rule { points, weights }
 }
 
+/// A rule on the triangle that is exact for polynomials of the given total degree: the centroid up
+/// to degree 1, three points inside for degree 2, beyond that Gauss–Legendre points on the square
+/// collapsed to the triangle. All weights are positive, all points inside.
+pub fn triangle(degree: usize) -> Rule {
+    let third = 1.0 / 3.0;
+    let sixth = 1.0 / 6.0;
+    match degree {
+        0 | 1 => Rule {
+            points: vec![[third, third, 0.0]],
+            weights: vec![0.5],
+        },
+        2 => Rule {
+            points: vec![
+                [sixth, sixth, 0.0],
+                [2.0 * third, sixth, 0.0],
+                [sixth, 2.0 * third, 0.0],
+            ],
+            weights: vec![sixth; 3],
+        },
+        // ξ = s (1 − t), η = t with s, t in [0, 1]; the Jacobian 1 − t raises the degree in t by one.
+        _ => {
+            let square = gauss_square(degree.div_ceil(2) + 1);
+            let (points, weights) = square
+                .points
+                .iter()
+                .zip(&square.weights)
+                .map(|(&[s, t, _], w)| {
+                    let (s, t) = (0.5 * (1.0 + s), 0.5 * (1.0 + t));
+                    ([s * (1.0 - t), t, 0.0], 0.25 * w * (1.0 - t))
+                })
+                .unzip();
+            Rule { points, weights }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,6 +175,25 @@ mod tests {
         assert!(
             (three[2].0 - 0.6f64.sqrt()).abs() < 2e-16 && (three[1].1 - 8.0 / 9.0).abs() < 1e-15
         );
+    }
+
+    #[test]
+    fn triangle_rules_integrate_their_degree() {
+        // ∫ ξ^i η^j = i! j! / (i + j + 2)!
+        let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
+        for degree in 0..=9 {
+            let rule = triangle(degree as usize);
+            assert!(rule.weights.iter().all(|&w| w > 0.0));
+            for i in 0..=degree {
+                for j in 0..=degree - i {
+                    let exact = factorial(i) * factorial(j) / factorial(i + j + 2);
+                    let value = rule.integrate(|[x, y, _]| x.powi(i) * y.powi(j));
+                    assert!((value - exact).abs() < 1e-15, "degree {degree}: {i}, {j}");
+                }
+            }
+        }
+        assert!((triangle(1).integrate(|[x, _, _]| x * x) - 1.0 / 12.0).abs() > 1e-2);
+        assert!((triangle(2).integrate(|[x, _, _]| x.powi(3)) - 1.0 / 20.0).abs() > 1e-4);
     }
 
     #[test]

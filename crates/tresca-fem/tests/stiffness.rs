@@ -5,11 +5,10 @@
 mod common;
 
 use common::{dense, perturbed_brick};
-use std::collections::BTreeMap;
 use tresca_fem::assembly::{internal_forces, reduced_load, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{CellBlock, CellKind, Mesh};
+use tresca_fem::mesh::{CellBlock, CellKind, Mesh, RectangleSpec, Space, rectangle};
 use tresca_fem::supports::Supports;
 use tresca_fem::{FemError, rigid, stress};
 
@@ -161,7 +160,7 @@ fn free_bodies_have_six_zero_energy_modes_and_no_more() {
     let material = Isotropic::new(3.0, 0.3).unwrap();
     let dofs = DofMap::unsupported(mesh.node_count(), 3);
     let k = stiffness(&mesh, &material, &dofs).unwrap();
-    let motions = rigid::motions(&mesh);
+    let motions = rigid::motions(&mesh, &mesh.parts()[0]);
     assert_eq!(motions.len(), 6);
     let mut forces = vec![0.0; mesh.dof_count()];
     for motion in &motions {
@@ -249,7 +248,7 @@ fn internal_forces_are_the_action_of_the_whole_matrix() {
 }
 
 #[test]
-fn bad_cells_and_dimensions_are_named() {
+fn bad_cells_and_spaces_are_named() {
     let material = Isotropic::new(1.0, 0.3).unwrap();
     let mut mesh = perturbed_brick([4, 4, 4], 0.1);
     let dofs = DofMap::unsupported(mesh.node_count(), 3);
@@ -288,14 +287,21 @@ fn bad_cells_and_dimensions_are_named() {
         "{error}"
     );
 
-    let square = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-    let block = CellBlock {
-        kind: CellKind::Quad4,
-        connectivity: vec![0, 1, 2, 3],
-    };
-    let plane = Mesh::new(2, square, vec![block], BTreeMap::new()).unwrap();
-    let error = stiffness(&plane, &material, &DofMap::unsupported(4, 2)).unwrap_err();
-    assert_eq!(error, FemError::NotThreeDimensional { found: 2 });
+    let tube = rectangle(&RectangleSpec {
+        space: Space::Axisymmetric,
+        min: [1.0, 0.0],
+        max: [2.0, 1.0],
+        nodes: [2, 2],
+        cells: CellKind::Quad4,
+    })
+    .unwrap();
+    let error = stiffness(&tube, &material.plane_stress(), &DofMap::unsupported(4, 2)).unwrap_err();
+    assert_eq!(
+        error,
+        FemError::PlaneStress {
+            space: Space::Axisymmetric
+        }
+    );
 }
 
 #[test]

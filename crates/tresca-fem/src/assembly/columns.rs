@@ -139,10 +139,15 @@ pub(crate) struct ColumnValues<'a> {
 }
 
 impl ColumnValues<'_> {
-    /// Adds one cell's part to the columns of `node`: `block(a)` is the 3×3 block between the cell's
-    /// a-th node (row) and `node` (column).
+    /// Adds one cell's part to the columns of `node`: `block(a)` is the block (by components) between
+    /// the cell's a-th node (row) and `node` (column).
     #[inline]
-    pub fn add(&mut self, node: usize, cell: &[usize], block: impl Fn(usize) -> [[f64; 3]; 3]) {
+    pub fn add<const D: usize>(
+        &mut self,
+        node: usize,
+        cell: &[usize],
+        block: impl Fn(usize) -> [[f64; D]; D],
+    ) {
         let (neighbours, offsets) = self.range.around(node);
         let Some((_, first)) = free_dofs(self.dofs, node).next() else {
             return;

@@ -1,9 +1,9 @@
 //! Internal forces of a displacement: the action of the whole K, without the matrix.
 
-use super::{physical_gradients, require_space, strain};
+use super::strain::{nodal_force, strain};
 use crate::FemError;
 use crate::dofs::DofMap;
-use crate::element::ShapeTable;
+use crate::element::{ShapeTable, physical_gradients};
 use crate::material::Isotropic;
 use crate::mesh::{CellBlock, Mesh, gather_points};
 use rayon::prelude::*;
@@ -14,13 +14,14 @@ use rayon::prelude::*;
 /// the strain energy.
 ///
 /// # Errors
-/// [`FemError::NotThreeDimensional`], [`FemError::InvertedCell`].
+/// [`FemError::PlaneStress`], [`FemError::InvertedCell`].
 ///
 /// # Panics
 /// When the length of `u` is not [`Mesh::dof_count`].
 pub fn internal_forces(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Result<Vec<f64>, FemError> {
-    require_space(mesh)?;
+    material.check_space(mesh.space)?;
     assert_eq!(u.len(), mesh.dof_count());
+    let d = mesh.dimension();
     let mut forces = vec![0.0; u.len()];
     let mut first = 0;
     for block in &mesh.cells {
@@ -29,8 +30,8 @@ pub fn internal_forces(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Result<V
         let width = block.kind.node_count();
         for (nodes, of_cell) in block.cells().zip(of_cells.chunks_exact(width)) {
             for (&node, force) in nodes.iter().zip(of_cell) {
-                for i in 0..3 {
-                    forces[3 * node + i] += force[i];
+                for i in 0..d {
+                    forces[d * node + i] += force[i];
                 }
             }
         }
@@ -39,7 +40,7 @@ pub fn internal_forces(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Result<V
     Ok(forces)
 }
 
-/// Nodal forces of every cell of a block.
+/// Nodal forces of every cell of a block; the third component is zero in the plane.
 fn forces_of_block(
     mesh: &Mesh,
     block: &CellBlock,
@@ -47,6 +48,7 @@ fn forces_of_block(
     material: &Isotropic,
     u: &[f64],
 ) -> Result<Vec<[f64; 3]>, FemError> {
+    let space = mesh.space;
     let table = ShapeTable::full(block.kind);
     let n = table.nodes;
     let mut forces = vec![[0.0; 3]; block.connectivity.len()];
@@ -59,19 +61,20 @@ fn forces_of_block(
             |(points, gradients), (local, (forces, nodes))| {
                 gather_points(mesh, nodes, points);
                 for q in 0..table.len() {
-                    let determinant = physical_gradients(&table, q, points, gradients).map_err(
+                    let measure = physical_gradients(space, &table, q, points, gradients).map_err(
                         |determinant| FemError::InvertedCell {
                             cell: first + local,
                             determinant,
                         },
                     )?;
-                    let [xx, yy, zz, xy, yz, xz] = material
-                        .stress(strain(nodes, gradients, u))
-                        .map(|s| s * determinant * table.weights[q]);
-                    for (f, g) in forces.iter_mut().zip(gradients.iter()) {
-                        f[0] += xx * g[0] + xy * g[1] + xz * g[2];
-                        f[1] += xy * g[0] + yy * g[1] + yz * g[2];
-                        f[2] += xz * g[0] + yz * g[1] + zz * g[2];
+                    let stress = material
+                        .stress(strain(space, nodes, gradients, u))
+                        .map(|s| s * measure * table.weights[q]);
+                    for (f, &g) in forces.iter_mut().zip(gradients.iter()) {
+                        let part = nodal_force(space, stress, g);
+                        for i in 0..3 {
+                            f[i] += part[i];
+                        }
                     }
                 }
                 Ok(())

@@ -15,9 +15,10 @@
 mod columns;
 mod internal;
 mod kernel;
+mod strain;
 
 pub use internal::{internal_forces, reduced_load};
-pub(crate) use kernel::{physical_gradients, strain};
+pub(crate) use strain::strain;
 
 use crate::FemError;
 use crate::dofs::DofMap;
@@ -33,13 +34,14 @@ use tresca_la::SymmetricMatrix;
 /// Ranges per thread: enough to even out the load, few enough to integrate few cells twice.
 const RANGES_PER_THREAD: usize = 4;
 
-/// The stiffness matrix of a body over its free dofs (force per length; MN/m for m and MPa).
+/// The stiffness matrix of a body over its free dofs: force per length, MN/m for m and MPa; in the
+/// plane also per thickness; in an axisymmetric space that of the full circumference.
 ///
 /// Symmetric, positive semidefinite; definite when the supports leave no rigid motion (see
 /// [`crate::rigid::remaining`]). Runs on rayon's current thread pool.
 ///
 /// # Errors
-/// [`FemError::NotThreeDimensional`]; [`FemError::InvertedCell`] for the lowest cell whose
+/// [`FemError::PlaneStress`]; [`FemError::InvertedCell`] for the lowest cell whose
 /// Jacobian is not positive at an integration point.
 ///
 /// # Panics
@@ -49,7 +51,7 @@ pub fn stiffness(
     material: &Isotropic,
     dofs: &DofMap,
 ) -> Result<SymmetricMatrix, FemError> {
-    require_space(mesh)?;
+    material.check_space(mesh.space)?;
     assert_eq!(
         dofs.full_len(),
         mesh.dof_count(),
@@ -133,10 +135,10 @@ fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Res
     let mut first = 0;
     for block in &mesh.cells {
         match block.kind {
-            CellKind::Hex8 => fill_block::<8>(mesh, block, first, material, &mut columns)?,
-            CellKind::Line2 | CellKind::Quad4 => {
-                unreachable!("a valid mesh in space has no plane cells")
-            }
+            CellKind::Hex8 => fill_block::<8, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Quad4 => fill_block::<4, 2>(mesh, block, first, material, &mut columns)?,
+            CellKind::Tri3 => fill_block::<3, 2>(mesh, block, first, material, &mut columns)?,
+            CellKind::Line2 => unreachable!("lines fill no body of a valid mesh"),
         }
         first += block.len();
     }
@@ -144,14 +146,14 @@ fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Res
 }
 
 /// The same for one block, whose cells are numbered from `first`.
-fn fill_block<const N: usize>(
+fn fill_block<const N: usize, const D: usize>(
     mesh: &Mesh,
     block: &CellBlock,
     first: usize,
     material: &Isotropic,
     columns: &mut ColumnValues<'_>,
 ) -> Result<(), Inverted> {
-    let mut kernel = Kernel::<N>::new(block.kind, material);
+    let mut kernel = Kernel::<N, D>::new(mesh.space, block.kind, material);
     for &cell in columns.range.cells_within(first..first + block.len()) {
         let nodes: &[usize; N] = block.connectivity[(cell - first) * N..]
             .first_chunk()
@@ -167,14 +169,6 @@ fn fill_block<const N: usize>(
         }
     }
     Ok(())
-}
-
-/// Elasticity is three-dimensional here.
-pub(crate) fn require_space(mesh: &Mesh) -> Result<(), FemError> {
-    match mesh.dimension {
-        3 => Ok(()),
-        found => Err(FemError::NotThreeDimensional { found }),
-    }
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! What every element must satisfy, in one call.
 
 use super::{Element, ShapeTable, interpolate, jacobian};
-use crate::mesh::{CellBlock, CellKind, Face, Mesh, cell_determinant};
-use crate::quadrature::{Rule, gauss_cube, gauss_line, gauss_square};
+use crate::mesh::{CellBlock, CellKind, Face, Mesh, Space, cell_determinant};
+use crate::quadrature::{Rule, gauss_cube, gauss_line, gauss_square, triangle};
 use std::collections::BTreeMap;
 
 /// Runs the whole list on an element.
@@ -16,7 +16,7 @@ fn check(kind: CellKind) {
         linear_fields_are_reproduced(element, xi);
     }
     kronecker_property(element);
-    rules_have_the_reference_measure(element);
+    rules_have_the_reference_measure(kind);
     faces_are_faces(kind);
     for map in [shear, perturb] {
         let points: Vec<[f64; 3]> = element.nodes().iter().map(|&xi| map(d, xi)).collect();
@@ -32,6 +32,11 @@ fn check(kind: CellKind) {
 #[test]
 fn line2() {
     check(CellKind::Line2);
+}
+
+#[test]
+fn tri3() {
+    check(CellKind::Tri3);
 }
 
 #[test]
@@ -142,9 +147,14 @@ fn linear_fields_are_reproduced(element: &dyn Element, xi: [f64; 3]) {
     assert!((value - field(xi)).abs() < 1e-14);
 }
 
-fn rules_have_the_reference_measure(element: &dyn Element) {
-    // All elements here live on [−1, 1]^d.
-    let measure = 2f64.powi(element.dimension() as i32);
+fn rules_have_the_reference_measure(kind: CellKind) {
+    let element = kind.element();
+    let measure = match kind {
+        CellKind::Tri3 => 0.5,
+        CellKind::Line2 => 2.0,
+        CellKind::Quad4 => 4.0,
+        CellKind::Hex8 => 8.0,
+    };
     for rule in [element.rule(), element.stress_points()] {
         assert_eq!(rule.points.len(), rule.weights.len());
         assert!((rule.weights.iter().sum::<f64>() - measure).abs() < 1e-14);
@@ -217,11 +227,12 @@ fn rigid_motions_cause_no_strain(kind: CellKind, points: &[[f64; 3]]) {
 }
 
 /// A rule of so many points that the test's integrands are integrated exactly.
-fn fine_rule(d: usize) -> Rule {
-    match d {
-        1 => gauss_line(8),
-        2 => gauss_square(8),
-        _ => gauss_cube(8),
+fn fine_rule(kind: CellKind) -> Rule {
+    match kind {
+        CellKind::Line2 => gauss_line(8),
+        CellKind::Tri3 => triangle(14),
+        CellKind::Quad4 => gauss_square(8),
+        CellKind::Hex8 => gauss_cube(8),
     }
 }
 
@@ -241,10 +252,7 @@ fn volume_is_exact(kind: CellKind, points: &[[f64; 3]]) {
             .map(|q| table.weights[q] * determinant(kind, table.gradients(q), points))
             .sum::<f64>()
     };
-    let (full, fine) = (
-        volume(&kind.element().rule()),
-        volume(&fine_rule(kind.dimension())),
-    );
+    let (full, fine) = (volume(&kind.element().rule()), volume(&fine_rule(kind)));
     assert!(
         full > 0.0 && (full - fine).abs() < 1e-13 * fine,
         "{kind}: {full} against {fine}"
@@ -273,7 +281,7 @@ fn mass_is_exact_on_an_affine_cell(kind: CellKind) {
     };
     for a in 0..kind.node_count() {
         for b in 0..=a {
-            let fine = mass(&fine_rule(kind.dimension()), a, b);
+            let fine = mass(&fine_rule(kind), a, b);
             assert!((mass(&kind.element().rule(), a, b) - fine).abs() < 1e-13);
         }
     }
@@ -290,7 +298,8 @@ fn faces_look_outwards(kind: CellKind, points: Vec<[f64; 3]>) {
         kind,
         connectivity: (0..n).collect(),
     };
-    let mesh = Mesh::new(d, points, vec![block], BTreeMap::new()).unwrap();
+    let space = if d == 2 { Space::Plane } else { Space::Solid };
+    let mesh = Mesh::new(space, points, vec![block], BTreeMap::new()).unwrap();
     let mut flux = 0.0;
     for local in 0..kind.faces().len() {
         let face = Face { cell: 0, local };

@@ -7,13 +7,17 @@
 mod conformance;
 mod hex8;
 mod line2;
+mod mapping;
 mod quad4;
 mod table;
+mod tri3;
 
 pub use hex8::Hex8;
 pub use line2::Line2;
+pub(crate) use mapping::{inverse_jacobian, physical_gradients};
 pub use quad4::Quad4;
 pub(crate) use table::{ShapeTable, interpolate, jacobian};
+pub use tri3::Tri3;
 
 use crate::mesh::CellKind;
 use crate::quadrature::Rule;
@@ -67,6 +71,7 @@ impl CellKind {
     pub fn element(self) -> &'static dyn Element {
         match self {
             CellKind::Line2 => &Line2,
+            CellKind::Tri3 => &Tri3,
             CellKind::Quad4 => &Quad4,
             CellKind::Hex8 => &Hex8,
         }

@@ -1,6 +1,6 @@
 //! The structured brick of hexahedra.
 
-use super::{CellBlock, CellKind, Face, Mesh};
+use super::{CellBlock, CellKind, Face, Mesh, Space, grid};
 use crate::FemError;
 use std::collections::BTreeMap;
 
@@ -25,23 +25,10 @@ pub struct BrickSpec {
 /// [`FemError::TooFewNodes`], [`FemError::EmptyBox`].
 pub fn brick(spec: &BrickSpec) -> Result<Mesh, FemError> {
     let [nx, ny, nz] = spec.nodes;
-    for (i, axis) in ['x', 'y', 'z'].into_iter().enumerate() {
-        let (min, max) = (spec.min[i], spec.max[i]);
-        if spec.nodes[i] < 2 {
-            return Err(FemError::TooFewNodes {
-                axis,
-                found: spec.nodes[i],
-            });
-        }
-        if !(min.is_finite() && max.is_finite() && min < max) {
-            return Err(FemError::EmptyBox { axis, min, max });
-        }
-    }
+    grid::check(&spec.min, &spec.max, &spec.nodes)?;
 
     let coordinate = |axis: usize, i: usize| {
-        let t = i as f64 / (spec.nodes[axis] - 1) as f64;
-        // Both ends are hit exactly, and the formula is symmetric under swapping them.
-        (1.0 - t) * spec.min[axis] + t * spec.max[axis]
+        grid::coordinate(spec.min[axis], spec.max[axis], spec.nodes[axis], i)
     };
     let node = |i: usize, j: usize, k: usize| i + nx * (j + ny * k);
     let mut points = Vec::with_capacity(nx * ny * nz);
@@ -88,7 +75,7 @@ pub fn brick(spec: &BrickSpec) -> Result<Mesh, FemError> {
         }
     }
     Mesh::new(
-        3,
+        Space::Solid,
         points,
         vec![CellBlock {
             kind: CellKind::Hex8,

@@ -1,7 +1,8 @@
 //! Measures of a mesh: volumes, area vectors, bounds.
 
 use super::{CellKind, Face, Mesh};
-use crate::element::{ShapeTable, jacobian};
+use crate::FemError;
+use crate::element::{ShapeTable, interpolate, inverse_jacobian, jacobian};
 use crate::tensor::{cross, determinant, norm};
 
 /// The smallest axis-parallel box around a mesh.
@@ -14,6 +15,18 @@ pub struct BoundingBox {
 }
 
 impl BoundingBox {
+    /// The box around some points; empty (min > max) without points.
+    pub fn around(points: impl IntoIterator<Item = [f64; 3]>) -> Self {
+        let start = Self {
+            min: [f64::INFINITY; 3],
+            max: [f64::NEG_INFINITY; 3],
+        };
+        points.into_iter().fold(start, |bounds, p| Self {
+            min: std::array::from_fn(|i| bounds.min[i].min(p[i])),
+            max: std::array::from_fn(|i| bounds.max[i].max(p[i])),
+        })
+    }
+
     /// Length of the diagonal: the length scale of a body.
     pub fn diagonal(&self) -> f64 {
         norm(std::array::from_fn(|i| self.max[i] - self.min[i]))
@@ -31,17 +44,11 @@ pub(crate) fn cell_determinant(dimension: usize, columns: &[[f64; 3]; 3]) -> f64
 impl Mesh {
     /// The smallest axis-parallel box around all points; empty (min > max) without points.
     pub fn bounding_box(&self) -> BoundingBox {
-        let start = BoundingBox {
-            min: [f64::INFINITY; 3],
-            max: [f64::NEG_INFINITY; 3],
-        };
-        self.points.iter().fold(start, |bounds, p| BoundingBox {
-            min: std::array::from_fn(|i| bounds.min[i].min(p[i])),
-            max: std::array::from_fn(|i| bounds.max[i].max(p[i])),
-        })
+        BoundingBox::around(self.points.iter().copied())
     }
 
-    /// Volume of every cell (area in the plane), negative for a cell that is turned inside out.
+    /// Volume of every cell (area in the plane, the ring's volume in an axisymmetric space), negative
+    /// for a cell that is turned inside out.
     pub fn cell_volumes(&self) -> Vec<f64> {
         let mut volumes = Vec::with_capacity(self.cell_count());
         for block in &self.cells {
@@ -53,7 +60,10 @@ impl Mesh {
                     (0..table.len())
                         .map(|q| {
                             let columns = jacobian(table.gradients(q), &points);
-                            table.weights[q] * cell_determinant(self.dimension, &columns)
+                            let x = interpolate(table.values(q), &points);
+                            table.weights[q]
+                                * cell_determinant(self.dimension(), &columns)
+                                * self.space.circumference(x)
                         })
                         .sum(),
                 );
@@ -62,12 +72,40 @@ impl Mesh {
         volumes
     }
 
+    /// Checks that the Jacobian of every cell is positive at all points of its full rule: no cell is
+    /// turned inside out, collapsed or bent beyond a right angle there.
+    ///
+    /// # Errors
+    /// [`FemError::InvertedCell`] for the lowest cell that fails.
+    pub fn check_cells(&self) -> Result<(), FemError> {
+        let mut cell = 0;
+        for block in &self.cells {
+            let table = ShapeTable::full(block.kind);
+            let mut points = vec![[0.0; 3]; table.nodes];
+            for nodes in block.cells() {
+                gather_points(self, nodes, &mut points);
+                for q in 0..table.len() {
+                    let inverse = match self.dimension() {
+                        2 => inverse_jacobian::<2>(table.gradients(q), &points),
+                        _ => inverse_jacobian::<3>(table.gradients(q), &points),
+                    };
+                    inverse.map_err(|determinant| FemError::InvertedCell { cell, determinant })?;
+                }
+                cell += 1;
+            }
+        }
+        Ok(())
+    }
+
     /// Volume of the body (area in the plane).
     pub fn volume(&self) -> f64 {
         self.cell_volumes().iter().sum()
     }
 
     /// ∫ n dΓ over some faces, n the outward unit normal. For a plane face its length is the area.
+    ///
+    /// In an axisymmetric space n is taken in the meridian plane, so that the first entry is the area
+    /// seen in radial direction, not the sum of vectors around the axis, which is zero.
     pub fn area_vector(&self, faces: &[Face]) -> [f64; 3] {
         let mut total = [0.0; 3];
         FaceTables::new(self).for_each_point(faces, |point| {
@@ -99,7 +137,9 @@ pub(crate) struct FacePoint<'a> {
     pub nodes: &'a [usize],
     /// φ_a of the face's nodes.
     pub values: &'a [f64],
-    /// n dΓ, weight included: its length is the share of the area.
+    /// The point.
+    pub position: [f64; 3],
+    /// n dΓ, weight (and circumference) included: its length is the share of the area.
     pub area: [f64; 3],
 }
 
@@ -130,14 +170,17 @@ impl<'a> FaceTables<'a> {
             for (_, table) in self.tables.iter().filter(|(k, _)| *k == kind) {
                 for q in 0..table.len() {
                     let [t1, t2, _] = jacobian(table.gradients(q), &points);
-                    let normal = match self.mesh.dimension {
+                    let normal = match self.mesh.dimension() {
                         2 => [t1[1], -t1[0], 0.0],
                         _ => cross(t1, t2),
                     };
+                    let position = interpolate(table.values(q), &points);
+                    let weight = table.weights[q] * self.mesh.space.circumference(position);
                     visit(FacePoint {
                         nodes: &nodes,
                         values: table.values(q),
-                        area: normal.map(|x| x * table.weights[q]),
+                        position,
+                        area: normal.map(|x| x * weight),
                     });
                 }
             }
@@ -147,7 +190,9 @@ impl<'a> FaceTables<'a> {
 
 #[cfg(test)]
 mod tests {
-    use crate::mesh::{BrickSpec, CellBlock, CellKind, Mesh, brick};
+    use crate::mesh::{
+        BrickSpec, CellBlock, CellKind, Mesh, RectangleSpec, Space, brick, rectangle,
+    };
     use std::collections::BTreeMap;
 
     #[test]
@@ -187,7 +232,7 @@ mod tests {
             kind: CellKind::Quad4,
             connectivity: vec![0, 1, 2, 3],
         };
-        let mesh = Mesh::new(2, points, vec![block], BTreeMap::new()).unwrap();
+        let mesh = Mesh::new(Space::Plane, points, vec![block], BTreeMap::new()).unwrap();
         assert!((mesh.volume() - 2.0).abs() < 1e-15);
         let faces = mesh.boundary_faces();
         let bottom = mesh.area_vector(&faces[..1]);
@@ -198,6 +243,31 @@ mod tests {
         assert!((mesh.area(&faces) - 4.0 - 2.0 * 2f64.sqrt()).abs() < 1e-14);
         let total = mesh.area_vector(&faces);
         assert!(total.iter().all(|x| x.abs() < 1e-15));
+    }
+
+    #[test]
+    fn the_divergence_theorem_holds_for_a_body_of_revolution() {
+        for cells in [CellKind::Quad4, CellKind::Tri3] {
+            let mesh = rectangle(&RectangleSpec {
+                space: Space::Axisymmetric,
+                min: [0.0, -1.0],
+                max: [1.0, 2.0],
+                nodes: [4, 5],
+                cells,
+            })
+            .unwrap()
+            .mapped(|[x, y, _]| [x * (1.0 + 0.1 * y * y), y + 0.2 * x * x, 0.0])
+            .unwrap();
+            mesh.check_cells().unwrap();
+            // ∫ x·n dΓ = 3 |Ω| with x = (r, y): the faces on the axis have no area.
+            let mut flux = 0.0;
+            super::FaceTables::new(&mesh).for_each_point(&mesh.boundary_faces(), |p| {
+                flux += crate::tensor::dot(p.position, p.area);
+            });
+            assert!((flux - 3.0 * mesh.volume()).abs() < 1e-13 * flux);
+            // ∫ n_y dΓ = 0 over a closed surface.
+            assert!(mesh.area_vector(&mesh.boundary_faces())[1].abs() < 1e-13);
+        }
     }
 
     #[test]
@@ -213,5 +283,9 @@ mod tests {
         mesh.cells[0].connectivity.swap(2, 6);
         mesh.cells[0].connectivity.swap(3, 7);
         assert!((mesh.volume() + 1.0).abs() < 1e-15);
+        assert!(matches!(
+            mesh.check_cells(),
+            Err(crate::FemError::InvertedCell { cell: 0, .. })
+        ));
     }
 }

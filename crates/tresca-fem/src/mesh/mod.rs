@@ -13,11 +13,18 @@
 
 mod brick;
 mod geometry;
+mod grid;
+mod parts;
+mod rectangle;
+mod space;
 mod topology;
 
 pub use brick::{BrickSpec, brick};
 pub use geometry::BoundingBox;
 pub(crate) use geometry::{FaceTables, cell_determinant, gather_points};
+pub use parts::Part;
+pub use rectangle::{RectangleSpec, rectangle};
+pub use space::Space;
 pub use topology::Incidence;
 
 use crate::FemError;
@@ -29,6 +36,8 @@ use std::fmt;
 pub enum CellKind {
     /// Two-node line: the face of plane cells.
     Line2,
+    /// Linear triangle.
+    Tri3,
     /// Bilinear quadrilateral: the face of hexahedra.
     Quad4,
     /// Trilinear hexahedron.
@@ -39,6 +48,7 @@ impl fmt::Display for CellKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             CellKind::Line2 => "line2",
+            CellKind::Tri3 => "tri3",
             CellKind::Quad4 => "quad4",
             CellKind::Hex8 => "hex8",
         })
@@ -96,9 +106,10 @@ pub struct Cell<'a> {
 /// may panic when it would not pass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// Space dimension, 2 or 3.
-    pub dimension: usize,
-    /// Coordinates of the nodes; the third is zero in the plane.
+    /// What kind of body the mesh describes, and with it the meaning of its measures.
+    pub space: Space,
+    /// Coordinates of the nodes; the third is zero in the plane. In an axisymmetric space the first
+    /// is the radius, the second runs along the axis.
     pub points: Vec<[f64; 3]>,
     /// Cells that fill the body. A cell's global number counts through the blocks.
     pub cells: Vec<CellBlock>,
@@ -109,13 +120,13 @@ pub struct Mesh {
 impl Mesh {
     /// A checked mesh: see [`Mesh::validate`].
     pub fn new(
-        dimension: usize,
+        space: Space,
         points: Vec<[f64; 3]>,
         cells: Vec<CellBlock>,
         face_sets: BTreeMap<String, Vec<Face>>,
     ) -> Result<Self, FemError> {
         let mesh = Self {
-            dimension,
+            space,
             points,
             cells,
             face_sets,
@@ -124,21 +135,23 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Checks that the dimension is 2 or 3 and every cell's own; that coordinates are finite;
-    /// that cells and face sets refer to nodes and faces that exist; and that every node belongs
-    /// to a cell. The shape of cells is not judged here: assembly does that.
+    /// Checks that coordinates are finite, in the plane where there is one, and radii not negative;
+    /// that cells have the dimension of the space; that cells and face sets refer to nodes and faces
+    /// that exist; and that every node belongs to a cell. The shape of cells is judged by
+    /// [`Mesh::check_cells`].
     pub fn validate(&self) -> Result<(), FemError> {
-        if !(2..=3).contains(&self.dimension) {
-            return Err(FemError::Dimension {
-                found: self.dimension,
-            });
-        }
         for (node, &point) in self.points.iter().enumerate() {
             if !point.iter().all(|x| x.is_finite()) {
                 return Err(FemError::PointNotFinite { node, point });
             }
-            if self.dimension == 2 && point[2] != 0.0 {
+            if self.dimension() == 2 && point[2] != 0.0 {
                 return Err(FemError::PointOffPlane { node, z: point[2] });
+            }
+            if self.space == Space::Axisymmetric && point[0] < 0.0 {
+                return Err(FemError::NegativeRadius {
+                    node,
+                    radius: point[0],
+                });
             }
         }
         self.validate_cells()?;
@@ -165,11 +178,11 @@ impl Mesh {
                 cells.kind.node_count(),
                 cells.connectivity.len(),
             );
-            if kind.dimension() != self.dimension {
+            if kind.dimension() != self.dimension() {
                 return Err(FemError::CellDimension {
                     block,
                     kind,
-                    dimension: self.dimension,
+                    space: self.space,
                 });
             }
             if found % nodes != 0 {
@@ -201,6 +214,24 @@ impl Mesh {
         }
     }
 
+    /// Moves every point of the mesh, keeping cells and face sets: curved and graded meshes are made
+    /// of structured ones this way. See [`Mesh::check_cells`] for whether the map turned cells over.
+    ///
+    /// # Errors
+    /// [`FemError::PointNotFinite`], [`FemError::PointOffPlane`], [`FemError::NegativeRadius`].
+    pub fn mapped(mut self, mut map: impl FnMut([f64; 3]) -> [f64; 3]) -> Result<Self, FemError> {
+        for point in &mut self.points {
+            *point = map(*point);
+        }
+        self.validate()?;
+        Ok(self)
+    }
+
+    /// Dimension of the space, 2 or 3: the number of displacement components.
+    pub fn dimension(&self) -> usize {
+        self.space.dimension()
+    }
+
     /// Number of nodes.
     pub fn node_count(&self) -> usize {
         self.points.len()
@@ -208,7 +239,7 @@ impl Mesh {
 
     /// Number of full dofs, `dimension * node_count`.
     pub fn dof_count(&self) -> usize {
-        self.dimension * self.points.len()
+        self.dimension() * self.points.len()
     }
 
     /// Number of cells in all blocks.
@@ -345,14 +376,17 @@ mod tests {
         );
 
         let mut mesh = two_cells();
-        mesh.dimension = 2;
+        mesh.space = Space::Plane;
         mesh.points.iter_mut().for_each(|p| p[2] = 0.0);
         assert!(matches!(
             mesh.validate(),
             Err(FemError::CellDimension { block: 0, .. })
         ));
-        mesh.dimension = 4;
-        assert_eq!(mesh.validate(), Err(FemError::Dimension { found: 4 }));
+        mesh.points[7][2] = 0.5;
+        assert_eq!(
+            mesh.validate(),
+            Err(FemError::PointOffPlane { node: 7, z: 0.5 })
+        );
     }
 
     #[test]
@@ -362,6 +396,43 @@ mod tests {
             error.to_string(),
             "there is no face set \"top\"; the mesh has: x+, x-, y+, y-, z+, z-"
         );
+    }
+
+    #[test]
+    fn a_map_moves_points_and_is_checked() {
+        let square = || {
+            rectangle(&RectangleSpec {
+                space: Space::Axisymmetric,
+                min: [1.0, 0.0],
+                max: [2.0, 1.0],
+                nodes: [3, 3],
+                cells: CellKind::Quad4,
+            })
+            .unwrap()
+        };
+        let moved = square().mapped(|[x, y, _]| [x * x, 2.0 * y, 0.0]).unwrap();
+        assert_eq!(moved.points[8], [4.0, 2.0, 0.0]);
+        moved.check_cells().unwrap();
+        assert_eq!(
+            square().mapped(|[x, y, _]| [1.5 - x, y, 0.0]),
+            Err(FemError::NegativeRadius {
+                node: 2,
+                radius: -0.5
+            })
+        );
+        let off = square().mapped(|[x, y, _]| [x, y, 1.0]);
+        assert!(matches!(off, Err(FemError::PointOffPlane { node: 0, .. })));
+        let infinite = square().mapped(|[x, y, _]| [1.0 / (x - 1.0), y, 0.0]);
+        assert!(matches!(
+            infinite,
+            Err(FemError::PointNotFinite { node: 0, .. })
+        ));
+        // A mirrored mesh is valid data, but its cells are turned over.
+        let mirrored = square().mapped(|[x, y, _]| [3.0 - x, y, 0.0]).unwrap();
+        assert!(matches!(
+            mirrored.check_cells(),
+            Err(FemError::InvertedCell { cell: 0, .. })
+        ));
     }
 
     #[test]

@@ -1,14 +1,15 @@
 //! Stresses of a displacement, and quantities made of them.
 //!
-//! Stress components are in the order xx, yy, zz, xy, yz, xz. All functions need a mesh in space
-//! that assembly accepted.
+//! Stress components are in the order xx, yy, zz, xy, yz, xz. In the plane zz is the stress across it,
+//! ν(σ_xx + σ_yy) under plane strain and 0 under plane stress; in an axisymmetric space xx is radial,
+//! yy axial and zz the hoop stress. All functions need a mesh and a material that assembly accepted.
 
 mod recovery;
 
 pub use recovery::recover;
 
-use crate::assembly::{physical_gradients, strain};
-use crate::element::{ShapeTable, interpolate};
+use crate::assembly::strain;
+use crate::element::{ShapeTable, interpolate, physical_gradients};
 use crate::material::Isotropic;
 use crate::mesh::{Mesh, gather_points};
 
@@ -27,9 +28,8 @@ pub struct StressSample {
 /// after cell: the most accurate values that the discrete displacement has to offer.
 ///
 /// # Panics
-/// When the mesh is not three-dimensional, or the length of `u` is not [`Mesh::dof_count`].
+/// When the length of `u` is not [`Mesh::dof_count`].
 pub fn samples(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Vec<StressSample> {
-    assert_eq!(mesh.dimension, 3, "stresses are three-dimensional");
     assert_eq!(u.len(), mesh.dof_count());
     let mut samples = Vec::with_capacity(mesh.cell_count());
     let mut cell = 0;
@@ -41,10 +41,11 @@ pub fn samples(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Vec<StressSample
             gather_points(mesh, nodes, &mut points);
             for q in 0..table.len() {
                 // A collapsed cell has no strain; assembly has refused it before anyone asks.
-                let stress = match physical_gradients(&table, q, &points, &mut gradients) {
-                    Ok(_) => material.stress(strain(nodes, &gradients, u)),
-                    Err(_) => [f64::NAN; 6],
-                };
+                let stress =
+                    match physical_gradients(mesh.space, &table, q, &points, &mut gradients) {
+                        Ok(_) => material.stress(strain(mesh.space, nodes, &gradients, u)),
+                        Err(_) => [f64::NAN; 6],
+                    };
                 samples.push(StressSample {
                     cell,
                     position: interpolate(table.values(q), &points),
@@ -64,7 +65,8 @@ pub fn von_mises([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> f64 {
     (0.5 * normal + 3.0 * shear).sqrt()
 }
 
-/// Strain energy ½ ∫ σ : ε dΩ of a displacement over the full dofs, by each cell's full rule.
+/// Strain energy ½ ∫ σ : ε dΩ of a displacement over the full dofs, by each cell's full rule (per
+/// thickness in the plane, of the full circumference in an axisymmetric space).
 ///
 /// # Errors
 /// As [`crate::assembly::internal_forces`].

@@ -28,7 +28,7 @@ const LARGEST_LEVERAGE: f64 = 4.0;
 /// the contact zone, a re-entrant corner) it smooths over the patch like any recovery.
 ///
 /// # Panics
-/// When the mesh is not three-dimensional, or the length of `u` is not [`Mesh::dof_count`].
+/// When the length of `u` is not [`Mesh::dof_count`].
 pub fn recover(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Vec<[f64; 6]> {
     let samples = samples(mesh, material, u);
     let mut first_sample = vec![0; mesh.cell_count() + 1];

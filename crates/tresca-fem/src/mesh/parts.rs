@@ -1,0 +1,80 @@
+//! The connected parts of a mesh.
+
+use super::{BoundingBox, Mesh};
+
+/// A connected part of a mesh: nodes that are linked through cells.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its nodes, ascending.
+    pub nodes: Vec<usize>,
+}
+
+impl Part {
+    /// The smallest axis-parallel box around the part.
+    pub fn bounding_box(&self, mesh: &Mesh) -> BoundingBox {
+        BoundingBox::around(self.nodes.iter().map(|&node| mesh.points[node]))
+    }
+}
+
+impl Mesh {
+    /// The connected parts, ordered by their lowest nodes. Cells that share a node are connected.
+    pub fn parts(&self) -> Vec<Part> {
+        // Union-find where every root is the lowest node of its tree, so that the order of the parts
+        // does not depend on the order of the cells.
+        let mut parent: Vec<usize> = (0..self.node_count()).collect();
+        for cell in self.iter_cells() {
+            let mut root = find(&mut parent, cell.nodes[0]);
+            for &node in &cell.nodes[1..] {
+                let other = find(&mut parent, node);
+                parent[root.max(other)] = root.min(other);
+                root = root.min(other);
+            }
+        }
+        let mut part_of_root = vec![usize::MAX; self.node_count()];
+        let mut parts: Vec<Part> = Vec::new();
+        for node in 0..self.node_count() {
+            let root = find(&mut parent, node);
+            if root == node {
+                part_of_root[node] = parts.len();
+                parts.push(Part { nodes: Vec::new() });
+            }
+            parts[part_of_root[root]].nodes.push(node);
+        }
+        parts
+    }
+}
+
+/// The root of a node's tree; shortens the way there by halving it.
+fn find(parent: &mut [usize], mut node: usize) -> usize {
+    while parent[node] != node {
+        parent[node] = parent[parent[node]];
+        node = parent[node];
+    }
+    node
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::mesh::{BrickSpec, brick};
+
+    #[test]
+    fn parts_are_ordered_by_their_lowest_nodes() {
+        let spec = BrickSpec {
+            min: [0.0; 3],
+            max: [4.0, 1.0, 1.0],
+            nodes: [5, 2, 2],
+        };
+        let mut mesh = brick(&spec).unwrap();
+        assert_eq!(mesh.parts().len(), 1);
+        assert_eq!(mesh.parts()[0].nodes.len(), 20);
+        // Take the second of the four cells out: the first one stands alone.
+        mesh.cells[0].connectivity.drain(8..16);
+        mesh.cells[0].connectivity.rotate_left(8);
+        let parts = mesh.parts();
+        assert_eq!(parts.len(), 2);
+        assert_eq!(parts[0].nodes, [0, 1, 5, 6, 10, 11, 15, 16]);
+        assert_eq!(parts[1].nodes, [2, 3, 4, 7, 8, 9, 12, 13, 14, 17, 18, 19]);
+        let bounds = parts[1].bounding_box(&mesh);
+        assert_eq!((bounds.min, bounds.max), ([2.0, 0.0, 0.0], [4.0, 1.0, 1.0]));
+    }
+}

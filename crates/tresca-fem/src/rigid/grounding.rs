@@ -1,0 +1,365 @@
+//! A generalised inverse of a singular stiffness matrix by a support that changes nothing.
+//!
+//! A body with remaining rigid motions R (free dofs × r) has a singular stiffness K with kernel R.
+//! Let C (free dofs × r) be such that RᵀC is nonsingular. Then
+//!
+//! K_reg = K + C Cᵀ
+//!
+//! is positive definite, and K_reg⁻¹ *is* a generalised inverse of K: K K_reg⁻¹ K = K. With f in
+//! equilibrium, Rᵀf = 0, the support carries nothing, and u = K_reg⁻¹f is the solution of K u = f with
+//! Cᵀu = 0: no spring weakens the answer. From K_reg R = C CᵀR follows
+//!
+//! K_reg⁻¹ = K⁺ + R S Rᵀ,   S = (RᵀC CᵀR)⁻¹,   with K⁺ ⪰ 0 and CᵀK⁺ = 0,
+//!
+//! so that S is all that the support adds to the flexibility.
+//!
+//! (The choice of C on few well-placed nodes follows the fixing nodes of Brzobohatý, Dostál,
+//! Kozubek, Kovář, Markopoulos: *Cholesky decomposition with fixing nodes to stable computation of a
+//! generalized inverse of the stiffness matrix of a floating structure*, IJNME 88, 2011.)
+
+use super::FreeMotion;
+use crate::dofs::DofMap;
+use crate::material::Isotropic;
+use crate::mesh::{Mesh, Space};
+use crate::tensor::{dot, sub, symmetric_eigen};
+use faer::sparse::{SparseColMat, SymbolicSparseColMat};
+use tresca_la::SymmetricMatrix;
+
+/// Most of the preferred nodes of a part that carry the support: it couples their dofs with each
+/// other, so there should be few.
+const MOST_PREFERRED: usize = 24;
+
+/// The sampled nodes see a motion when its smallest mean square over them, relative to that over all
+/// nodes of the part, has at least this square root.
+const SEEN: f64 = 1e-2;
+
+/// Stiffness of the support relative to the part's own elastic stiffness. Below 1, because the
+/// support is local and the body around it gives way; any positive value is exact.
+const STIFFNESS: f64 = 0.1;
+
+/// The support C of the remaining rigid motions of a body: see the [module](super).
+///
+/// There is one column per motion, in the order the motions were given in; columns of different
+/// parts live on different dofs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grounding {
+    /// The free dofs where C is not zero, ascending.
+    pub dofs: Vec<usize>,
+    /// C by columns, `c[k][i]` at `dofs[i]`; the square root of a stiffness.
+    pub c: Vec<Vec<f64>>,
+    /// S = (RᵀC CᵀR)⁻¹, r × r, symmetric positive definite; the inverse of a stiffness. Zero between
+    /// different parts.
+    pub s: Vec<Vec<f64>>,
+    /// R by columns over all free dofs, the given motions.
+    pub r: Vec<Vec<f64>>,
+}
+
+impl Grounding {
+    /// Grounds the given motions (see [`super::remaining`]), if possible on the `preferred` nodes:
+    /// the contact nodes, whose dofs are coupled anyway.
+    ///
+    /// Per part: at most 24 of the preferred nodes are chosen, each as far as possible from those
+    /// before. Where they do not see every motion (a line of contact does not see the rotation about
+    /// itself), nodes from all over the part are added the same way until they do. On the dofs of
+    /// these nodes C = √κ Q, with Q an orthonormal basis of R restricted to them, so that a motion of
+    /// unit length meets the stiffness κ · (number of nodes). It is set to 0.1 E times the diagonal of
+    /// the part in space, times 1 in the plane, times the mean circumference in an axisymmetric space.
+    ///
+    /// # Panics
+    /// When motions or preferred nodes belong to another mesh.
+    pub fn new(
+        mesh: &Mesh,
+        material: &Isotropic,
+        dofs: &DofMap,
+        motions: &[FreeMotion],
+        preferred: &[usize],
+    ) -> Self {
+        let mut sorted = preferred.to_vec();
+        sorted.sort_unstable();
+        sorted.dedup();
+        let mut parts: Vec<usize> = motions.iter().map(|motion| motion.part).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        let supports: Vec<PartSupport> = parts
+            .into_iter()
+            .map(|part| {
+                let of_part = (0..motions.len()).filter(|&k| motions[k].part == part);
+                PartSupport::new(mesh, material, dofs, motions, of_part.collect(), &sorted)
+            })
+            .collect();
+
+        let mut grounded: Vec<usize> = supports.iter().flat_map(|p| p.dofs.clone()).collect();
+        grounded.sort_unstable();
+        let mut c = vec![vec![0.0; grounded.len()]; motions.len()];
+        let mut s = vec![vec![0.0; motions.len()]; motions.len()];
+        for support in &supports {
+            for (row, dof) in grounded.iter().enumerate() {
+                if let Ok(local) = support.dofs.binary_search(dof) {
+                    for (&k, column) in support.columns.iter().zip(&support.c) {
+                        c[k][row] = column[local];
+                    }
+                }
+            }
+            for (&k, of_k) in support.columns.iter().zip(&support.s) {
+                for (&l, value) in support.columns.iter().zip(of_k) {
+                    s[k][l] = *value;
+                }
+            }
+        }
+        let r = motions
+            .iter()
+            .map(|motion| dofs.restrict(&motion.displacement(mesh)))
+            .collect();
+        Self {
+            dofs: grounded,
+            c,
+            s,
+            r,
+        }
+    }
+
+    /// K_reg = K + C Cᵀ, with the pattern extended to the coupled dofs.
+    ///
+    /// # Panics
+    /// When K has another order than there are free dofs.
+    pub fn add_to(&self, k: &SymmetricMatrix) -> SymmetricMatrix {
+        let n = k.order();
+        assert!(
+            self.r.iter().all(|r| r.len() == n),
+            "the stiffness belongs to other dofs"
+        );
+        let lower = k.lower();
+        let coupled = self.dofs.len() * (self.dofs.len() + 1) / 2;
+        let entries = lower.compute_nnz() + coupled;
+        let (mut rows, mut values) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
+        let mut starts = Vec::with_capacity(n + 1);
+        starts.push(0);
+        for j in 0..n {
+            let mut added = self.column_below_diagonal(j).peekable();
+            for (i, &value) in lower.row_idx_of_col(j).zip(lower.val_of_col(j)) {
+                while let Some((row, extra)) = added.next_if(|&(row, _)| row < i) {
+                    rows.push(row);
+                    values.push(extra);
+                }
+                let extra = added.next_if(|&(row, _)| row == i);
+                rows.push(i);
+                values.push(value + extra.map_or(0.0, |(_, extra)| extra));
+            }
+            for (row, extra) in added {
+                rows.push(row);
+                values.push(extra);
+            }
+            starts.push(rows.len());
+        }
+        let pattern = SymbolicSparseColMat::new_checked(n, n, starts, None, rows);
+        SymmetricMatrix::from_lower(SparseColMat::new(pattern, values))
+    }
+
+    /// Rows and values of column j of C Cᵀ from the diagonal downwards, zeros (of other parts) left
+    /// out.
+    fn column_below_diagonal(&self, j: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let (at, count) = match self.dofs.binary_search(&j) {
+            Ok(at) => (at, self.dofs.len()),
+            Err(_) => (0, 0),
+        };
+        (at..count)
+            .map(move |i| (self.dofs[i], self.c.iter().map(|c| c[i] * c[at]).sum()))
+            .filter(|&(_, value)| value != 0.0)
+    }
+}
+
+/// The support of one part.
+struct PartSupport {
+    /// Which of the given motions are this part's.
+    columns: Vec<usize>,
+    /// Free dofs, ascending.
+    dofs: Vec<usize>,
+    /// C by columns over `dofs`.
+    c: Vec<Vec<f64>>,
+    /// The part's block of S.
+    s: Vec<Vec<f64>>,
+}
+
+impl PartSupport {
+    fn new(
+        mesh: &Mesh,
+        material: &Isotropic,
+        dofs: &DofMap,
+        motions: &[FreeMotion],
+        columns: Vec<usize>,
+        preferred: &[usize],
+    ) -> Self {
+        let part = Sight {
+            mesh,
+            dofs,
+            motions: columns.iter().map(|&k| &motions[k]).collect(),
+        };
+        let has_free = |node: &usize| (0..dofs.components()).any(|i| dofs.free(*node, i).is_some());
+        let of_part = motions[columns[0]].nodes();
+        let all: Vec<usize> = of_part.iter().copied().filter(has_free).collect();
+        let near: Vec<usize> = preferred
+            .iter()
+            .copied()
+            .filter(|node| of_part.binary_search(node).is_ok() && has_free(node))
+            .collect();
+
+        let mut sample = FarthestPoints::new(mesh);
+        while sample.nodes.len() < MOST_PREFERRED && sample.add_from(&near) {}
+        let enough = SEEN * part.smallest(&all);
+        while part.smallest(&sample.nodes) < enough && sample.add_from(&all) {}
+        sample.nodes.sort_unstable();
+
+        let (sampled, restricted) = part.restrict(&sample.nodes);
+        let stiffness = STIFFNESS * material.young() * length(mesh, of_part);
+        let kappa = stiffness * dofs.components() as f64 / sampled.len() as f64;
+        let (q, inverse) = orthonormalise(restricted);
+        let c = q
+            .into_iter()
+            .map(|column| column.into_iter().map(|x| kappa.sqrt() * x).collect())
+            .collect();
+        // R = Q T gives (RᵀC CᵀR)⁻¹ = T⁻¹ T⁻ᵀ / κ.
+        let r = columns.len();
+        let entry =
+            |k: usize, l: usize| (0..r).map(|j| inverse[k][j] * inverse[l][j]).sum::<f64>() / kappa;
+        let s = (0..r)
+            .map(|k| (0..r).map(|l| entry(k, l)).collect())
+            .collect();
+        Self {
+            columns,
+            dofs: sampled,
+            c,
+            s,
+        }
+    }
+}
+
+/// The length that makes E the stiffness of a part: its diagonal in space, 1 in the plane, where
+/// stiffness is per thickness, the mean circumference in an axisymmetric space.
+fn length(mesh: &Mesh, nodes: &[usize]) -> f64 {
+    let points = nodes.iter().map(|&node| mesh.points[node]);
+    match mesh.space {
+        Space::Solid => crate::mesh::BoundingBox::around(points).diagonal(),
+        Space::Plane => 1.0,
+        Space::Axisymmetric => {
+            points.map(|p| mesh.space.circumference(p)).sum::<f64>() / nodes.len() as f64
+        }
+    }
+}
+
+/// How well some nodes see the motions of a part.
+struct Sight<'a> {
+    mesh: &'a Mesh,
+    dofs: &'a DofMap,
+    motions: Vec<&'a FreeMotion>,
+}
+
+impl Sight<'_> {
+    /// The free dofs of some nodes, and the motions there, by motion.
+    fn restrict(&self, nodes: &[usize]) -> (Vec<usize>, Vec<Vec<f64>>) {
+        let mut free = Vec::new();
+        let mut restricted = vec![Vec::new(); self.motions.len()];
+        for &node in nodes {
+            for component in 0..self.dofs.components() {
+                let Some(dof) = self.dofs.free(node, component) else {
+                    continue;
+                };
+                free.push(dof);
+                for (column, motion) in restricted.iter_mut().zip(&self.motions) {
+                    column.push(motion.motion.at(self.mesh.points[node])[component]);
+                }
+            }
+        }
+        (free, restricted)
+    }
+
+    /// The smallest root mean square over the nodes' free dofs of any combination of the motions with
+    /// unit coefficients; 0 without nodes.
+    fn smallest(&self, nodes: &[usize]) -> f64 {
+        let (free, restricted) = self.restrict(nodes);
+        if free.is_empty() {
+            return 0.0;
+        }
+        // There are at most six motions of a part; unused rows must not be the smallest.
+        let mut gram = [[0.0; 6]; 6];
+        for (k, row) in gram.iter_mut().enumerate() {
+            row[k] = f64::MAX.sqrt();
+        }
+        for (k, left) in restricted.iter().enumerate() {
+            for (l, right) in restricted.iter().enumerate() {
+                gram[k][l] = tresca_la::vector::dot(left, right);
+            }
+        }
+        let (values, _) = symmetric_eigen(gram);
+        let least = values.into_iter().fold(f64::INFINITY, f64::min);
+        (least.max(0.0) / free.len() as f64).sqrt()
+    }
+}
+
+/// Nodes chosen one by one, each as far as possible from those before; the lowest number wins a tie.
+struct FarthestPoints<'a> {
+    mesh: &'a Mesh,
+    nodes: Vec<usize>,
+}
+
+impl<'a> FarthestPoints<'a> {
+    fn new(mesh: &'a Mesh) -> Self {
+        let nodes = Vec::new();
+        Self { mesh, nodes }
+    }
+
+    /// Adds the candidate that is farthest from the nodes so far (from the candidates' centre when it
+    /// is the first); false when every candidate is chosen already.
+    fn add_from(&mut self, candidates: &[usize]) -> bool {
+        let points = &self.mesh.points;
+        let centre: [f64; 3] = std::array::from_fn(|i| {
+            candidates.iter().map(|&a| points[a][i]).sum::<f64>() / candidates.len() as f64
+        });
+        let squared = |a: [f64; 3], b: [f64; 3]| dot(sub(a, b), sub(a, b));
+        let mut farthest = None;
+        for &node in candidates.iter().filter(|node| !self.nodes.contains(node)) {
+            let to_nodes = self.nodes.iter().map(|&other| points[other]);
+            let distance = match self.nodes.is_empty() {
+                true => squared(points[node], centre),
+                false => to_nodes
+                    .map(|other| squared(points[node], other))
+                    .fold(f64::INFINITY, f64::min),
+            };
+            if farthest.is_none_or(|(_, most)| distance > most) {
+                farthest = Some((node, distance));
+            }
+        }
+        self.nodes.extend(farthest.map(|(node, _)| node));
+        farthest.is_some()
+    }
+}
+
+/// Columns R = Q T with QᵀQ = I and T upper triangular, as Q (by columns) and T⁻¹ (by rows).
+///
+/// Gram–Schmidt with a second round, which makes Q orthogonal to rounding. T⁻¹ is built along: the
+/// operations that turn R into Q turn I into T⁻¹.
+fn orthonormalise(mut columns: Vec<Vec<f64>>) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+    use tresca_la::vector::{axpy, dot, norm};
+    let r = columns.len();
+    // By columns: R · inverse[k] is the k-th column of Q.
+    let mut inverse = vec![vec![0.0; r]; r];
+    for k in 0..r {
+        inverse[k][k] = 1.0;
+        let (before, rest) = columns.split_at_mut(k);
+        let (inverse_before, inverse_rest) = inverse.split_at_mut(k);
+        for _ in 0..2 {
+            for (q, t) in before.iter().zip(inverse_before.iter()) {
+                let along = dot(q, &rest[0]);
+                axpy(-along, q, &mut rest[0]);
+                axpy(-along, t, &mut inverse_rest[0]);
+            }
+        }
+        let length = norm(&rest[0]);
+        for x in rest[0].iter_mut().chain(&mut inverse_rest[0]) {
+            *x /= length;
+        }
+    }
+    let by_rows = (0..r)
+        .map(|k| inverse.iter().map(|column| column[k]).collect())
+        .collect();
+    (columns, by_rows)
+}

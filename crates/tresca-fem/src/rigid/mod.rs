@@ -1,0 +1,375 @@
+//! Rigid motions: what a body can do without being strained, and what its supports leave of it.
+
+mod grounding;
+
+pub use grounding::Grounding;
+
+use crate::dofs::DofMap;
+use crate::mesh::{Mesh, Part, Space};
+use crate::tensor::{cross, dot, norm, sub, symmetric_eigen};
+use std::fmt;
+use std::sync::Arc;
+
+/// An infinitesimal rigid motion u(x) = t + ω × (x − c).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidMotion {
+    /// The displacement t of the centre.
+    pub translation: [f64; 3],
+    /// The rotation vector ω.
+    pub rotation: [f64; 3],
+    /// The centre c.
+    pub center: [f64; 3],
+}
+
+impl RigidMotion {
+    /// Displacement of a point.
+    pub fn at(&self, point: [f64; 3]) -> [f64; 3] {
+        let turned = cross(self.rotation, sub(point, self.center));
+        std::array::from_fn(|i| self.translation[i] + turned[i])
+    }
+
+    /// Displacement of all nodes, over the full dofs.
+    pub fn displacement(&self, mesh: &Mesh) -> Vec<f64> {
+        mesh.points
+            .iter()
+            .flat_map(|&p| self.at(p).into_iter().take(mesh.dimension()))
+            .collect()
+    }
+}
+
+impl fmt::Display for RigidMotion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let direction = |v: [f64; 3]| {
+            let length = norm(v);
+            // + 0.0 turns a negative zero into a zero.
+            let [x, y, z] = v.map(|x| (x / length * 1e3).round() / 1e3 + 0.0);
+            format!("({x}, {y}, {z})")
+        };
+        let omega = dot(self.rotation, self.rotation);
+        if omega == 0.0 {
+            return write!(f, "translation along {}", direction(self.translation));
+        }
+        // Of all points the axis is nearest to, c + ω × t / ω² moves along the axis alone.
+        let arm = cross(self.rotation, self.translation).map(|x| x / omega);
+        let through: [f64; 3] = std::array::from_fn(|i| self.center[i] + arm[i]);
+        let [x, y, z] = through;
+        write!(
+            f,
+            "rotation about {} through ({x:.4}, {y:.4}, {z:.4})",
+            direction(self.rotation)
+        )?;
+        let along = dot(self.rotation, self.translation) / omega.sqrt();
+        if along.abs() > 1e-6 * norm(self.translation) {
+            write!(f, " with translation along it")?;
+        }
+        Ok(())
+    }
+}
+
+/// A rigid motion of one connected part of a mesh that its supports leave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeMotion {
+    /// Which part moves, counted from zero in the order of [`Mesh::parts`].
+    pub part: usize,
+    /// How many parts the mesh has.
+    pub parts: usize,
+    /// How it moves.
+    pub motion: RigidMotion,
+    /// The part's nodes, ascending; shared by all motions of the part.
+    nodes: Arc<[usize]>,
+}
+
+impl FreeMotion {
+    /// The nodes that move: those of the part, ascending.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    /// Displacement over the full dofs: the motion on the part, zero off it.
+    pub fn displacement(&self, mesh: &Mesh) -> Vec<f64> {
+        let d = mesh.dimension();
+        let mut u = vec![0.0; mesh.dof_count()];
+        for &node in self.nodes.iter() {
+            u[d * node..d * (node + 1)].copy_from_slice(&self.motion.at(mesh.points[node])[..d]);
+        }
+        u
+    }
+}
+
+/// Names the motion, and the part (counted from one) where there are several.
+impl fmt::Display for FreeMotion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.motion)?;
+        if self.parts > 1 {
+            write!(f, " of part {} of {}", self.part + 1, self.parts)?;
+        }
+        Ok(())
+    }
+}
+
+/// All rigid motions of a connected part: the translations along the axes, then the rotations about
+/// the axes through the centre of the part's bounding box, as large as the translations at a distance
+/// of half the box's diagonal. Six in space, three in the plane; in an axisymmetric space only the
+/// translation along the axis y.
+pub fn motions(mesh: &Mesh, part: &Part) -> Vec<RigidMotion> {
+    let bounds = part.bounding_box(mesh);
+    let center = std::array::from_fn(|i| 0.5 * (bounds.min[i] + bounds.max[i]));
+    let angle = 2.0 / bounds.diagonal();
+    let unit =
+        |axis: usize, length: f64| std::array::from_fn(|i| if i == axis { length } else { 0.0 });
+    let (translations, rotations) = match mesh.space {
+        Space::Solid => (0..3, 0..3),
+        Space::Plane => (0..2, 2..3),
+        Space::Axisymmetric => (1..2, 0..0),
+    };
+    let translation = |axis| RigidMotion {
+        translation: unit(axis, 1.0),
+        rotation: [0.0; 3],
+        center,
+    };
+    let rotation = |axis| RigidMotion {
+        translation: [0.0; 3],
+        rotation: unit(axis, angle),
+        center,
+    };
+    translations
+        .map(translation)
+        .chain(rotations.map(rotation))
+        .collect()
+}
+
+/// The rigid motions of a mesh that vanish at all prescribed dofs: a basis, part after part, empty
+/// when the supports hold the body.
+///
+/// Where the supports leave a translation along an axis or a rotation about one, the basis may mix
+/// several of them, but translations alone are listed before motions that turn. Motions are
+/// normalised like [`motions`].
+pub fn remaining(mesh: &Mesh, dofs: &DofMap) -> Vec<FreeMotion> {
+    let parts = mesh.parts();
+    let count = parts.len();
+    let of_part = |(index, part): (usize, Part)| {
+        let all = motions(mesh, &part);
+        let turning = all.iter().position(|m| m.rotation != [0.0; 3]);
+        // Two stages, translations first, so that what is a pure translation is reported as one.
+        let (held, first) = (
+            Held {
+                mesh,
+                dofs,
+                part: &part,
+            },
+            turning.unwrap_or(all.len()),
+        );
+        let translations = held.null_motions(&all[..first], &[]);
+        let turning = held.null_motions(&all, &translations);
+        let nodes: Arc<[usize]> = part.nodes.into();
+        translations
+            .into_iter()
+            .chain(turning)
+            .map(move |motion| FreeMotion {
+                part: index,
+                parts: count,
+                motion,
+                nodes: nodes.clone(),
+            })
+    };
+    parts.into_iter().enumerate().flat_map(of_part).collect()
+}
+
+/// The supports of one part.
+struct Held<'a> {
+    mesh: &'a Mesh,
+    dofs: &'a DofMap,
+    part: &'a Part,
+}
+
+impl Held<'_> {
+    /// Basis of the combinations of `candidates` that vanish at the part's prescribed dofs and are
+    /// orthogonal (as coefficients) to the translations `except`.
+    fn null_motions(&self, candidates: &[RigidMotion], except: &[RigidMotion]) -> Vec<RigidMotion> {
+        // Gram matrix of the candidates restricted to the prescribed dofs; unused rows are made
+        // regular.
+        let mut gram = [[0.0; 6]; 6];
+        let mut add = |row: [f64; 6]| {
+            for k in 0..6 {
+                for l in 0..6 {
+                    gram[k][l] += row[k] * row[l];
+                }
+            }
+        };
+        let mut add_values = |value: &dyn Fn(&RigidMotion) -> f64| {
+            let mut row = [0.0; 6];
+            for (entry, motion) in row.iter_mut().zip(candidates) {
+                *entry = value(motion);
+            }
+            add(row);
+        };
+        for &node in &self.part.nodes {
+            for component in 0..self.dofs.components() {
+                if self.dofs.free(node, component).is_none() {
+                    add_values(&|motion| motion.at(self.mesh.points[node])[component]);
+                }
+            }
+        }
+        for motion in except {
+            // Candidates translate by unit vectors or not at all: these are the coefficients.
+            add_values(&|candidate| dot(candidate.translation, motion.translation));
+        }
+        for k in candidates.len()..6 {
+            add(std::array::from_fn(|l| if l == k { 1.0 } else { 0.0 }));
+        }
+        let (values, vectors) = symmetric_eigen(gram);
+        let largest = values.iter().fold(0.0_f64, |a, &b| a.max(b));
+        (0..6)
+            // Squares of singular values: a motion counts as held when a support sees more than 1e-6
+            // of it.
+            .filter(|&k| values[k] <= 1e-12 * largest)
+            .map(|k| combine(candidates, &vectors[k]))
+            .collect()
+    }
+}
+
+fn combine(motions: &[RigidMotion], coefficients: &[f64; 6]) -> RigidMotion {
+    let clean = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x };
+    let mut sum = RigidMotion {
+        translation: [0.0; 3],
+        rotation: [0.0; 3],
+        center: motions[0].center,
+    };
+    for (motion, &c) in motions.iter().zip(coefficients) {
+        for i in 0..3 {
+            sum.translation[i] += clean(c) * motion.translation[i];
+            sum.rotation[i] += clean(c) * motion.rotation[i];
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{BrickSpec, CellKind, RectangleSpec, brick, rectangle};
+    use crate::supports::Supports;
+
+    fn block() -> Mesh {
+        brick(&BrickSpec {
+            min: [0.0; 3],
+            max: [2.0, 1.0, 1.0],
+            nodes: [3, 3, 3],
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn supports_take_away_motions_one_by_one() {
+        let mesh = block();
+        let mut supports = Supports::new(mesh.node_count(), 3);
+        let left = |supports: &Supports| remaining(&mesh, &DofMap::new(supports));
+        assert_eq!(left(&supports).len(), 6);
+
+        supports.hold(&mesh.nodes_of_set("z-").unwrap(), 2).unwrap();
+        let motions = left(&supports);
+        assert_eq!(motions.len(), 3);
+        assert_eq!(
+            motions[2].to_string().split(" through").next(),
+            Some("rotation about (0, 0, 1)")
+        );
+
+        supports.hold(&mesh.nodes_of_set("x-").unwrap(), 0).unwrap();
+        let motions = left(&supports);
+        assert_eq!(motions.len(), 1);
+        assert_eq!(motions[0].to_string(), "translation along (0, 1, 0)");
+        for dof in DofMap::new(&supports).prescribed() {
+            assert!(motions[0].displacement(&mesh)[dof].abs() < 1e-12);
+        }
+
+        supports.prescribe(0, 1, 0.1).unwrap();
+        assert!(left(&supports).is_empty());
+    }
+
+    #[test]
+    fn a_hinge_leaves_a_rotation_about_its_axis() {
+        let mesh = block();
+        let mut supports = Supports::new(mesh.node_count(), 3);
+        // The edge x = 0, z = 0.
+        supports.clamp(&[0, 3, 6]).unwrap();
+        let motions = remaining(&mesh, &DofMap::new(&supports));
+        assert_eq!(motions.len(), 1);
+        let motion = motions[0].motion;
+        assert_eq!(motion.rotation.map(|x| x != 0.0), [false, true, false]);
+        let (u, on_axis) = (motions[0].displacement(&mesh), motion.at([0.0, 7.0, 0.0]));
+        assert!(on_axis.iter().all(|x| x.abs() < 1e-12));
+        assert!(u.iter().any(|x| x.abs() > 0.1));
+        assert!(
+            motions[0]
+                .to_string()
+                .contains("through (0.0000, 0.5000, 0.0000)"),
+            "{}",
+            motions[0]
+        );
+    }
+
+    #[test]
+    fn plane_and_axisymmetric_bodies_have_three_motions_and_one() {
+        let mesh = |space| {
+            rectangle(&RectangleSpec {
+                space,
+                min: [0.0, 0.0],
+                max: [3.0, 4.0],
+                nodes: [4, 4],
+                cells: CellKind::Tri3,
+            })
+            .unwrap()
+        };
+        let names = |mesh: &Mesh, supports: &Supports| -> Vec<String> {
+            let motions = remaining(mesh, &DofMap::new(supports));
+            motions.iter().map(ToString::to_string).collect()
+        };
+        let plane = mesh(Space::Plane);
+        let mut supports = Supports::new(16, 2);
+        assert_eq!(names(&plane, &supports).len(), 3);
+        supports.clamp(&[5]).unwrap();
+        assert_eq!(
+            names(&plane, &supports),
+            ["rotation about (0, 0, 1) through (1.0000, 1.3333, 0.0000)"]
+        );
+        supports.hold(&[6], 1).unwrap();
+        assert!(names(&plane, &supports).is_empty());
+
+        let ring = mesh(Space::Axisymmetric);
+        let mut supports = Supports::new(16, 2);
+        supports.hold(&[0, 4, 8, 12], 0).unwrap();
+        assert_eq!(names(&ring, &supports), ["translation along (0, 1, 0)"]);
+        supports.hold(&[3], 1).unwrap();
+        assert!(names(&ring, &supports).is_empty());
+    }
+
+    #[test]
+    fn parts_move_on_their_own() {
+        let mut mesh = block();
+        // Of the 2 × 2 × 2 cells of unit (1, ½, ½) take those with z > ½ apart: a copy of the
+        // interface nodes for the upper ones.
+        let copies: Vec<usize> = (9..18).collect();
+        let offset = mesh.node_count() - 9;
+        for node in &copies {
+            mesh.points.push(mesh.points[*node]);
+        }
+        for node in &mut mesh.cells[0].connectivity[4 * 8..] {
+            if (9..18).contains(node) {
+                *node += offset;
+            }
+        }
+        mesh.validate().unwrap();
+        let mut supports = Supports::new(mesh.node_count(), 3);
+        supports.clamp(&mesh.nodes_of_set("z-").unwrap()).unwrap();
+        let motions = remaining(&mesh, &DofMap::new(&supports));
+        assert_eq!(motions.len(), 6);
+        for motion in &motions {
+            assert_eq!((motion.part, motion.parts), (1, 2));
+            assert!(motion.to_string().ends_with(" of part 2 of 2"), "{motion}");
+            let u = motion.displacement(&mesh);
+            assert!(u[..18 * 3].iter().all(|&x| x == 0.0));
+            let largest = u.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+            assert!((0.3..=1.5).contains(&largest), "{motion}: {largest}");
+        }
+    }
+}
