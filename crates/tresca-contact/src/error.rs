@@ -83,7 +83,9 @@ pub enum ContactError {
         point: [f64; 3],
     },
     /// A field is given by another number of values than the slave surface has nodes.
-    #[error("expected one value for each of the {expected} nodes of the slave surface, found {found}")]
+    #[error(
+        "expected one value for each of the {expected} nodes of the slave surface, found {found}"
+    )]
     ValueCount {
         /// Nodes of the slave surface.
         expected: usize,

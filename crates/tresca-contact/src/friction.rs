@@ -270,7 +270,13 @@ impl Sliding {
         let [c, s] = from.tangents.map(|t| dot(t, unit(direction)));
         let radius = |[a, b]: [f64; 2]| {
             // A semi-axis of 0 leaves a segment; only the line along it has more than a point of it.
-            let part = |share: f64, axis: f64| if share == 0.0 { 0.0 } else { (share / axis).powi(2) };
+            let part = |share: f64, axis: f64| {
+                if share == 0.0 {
+                    0.0
+                } else {
+                    (share / axis).powi(2)
+                }
+            };
             let [c, s] = [c, s].map(|x: f64| if x.abs() < 1e-12 { 0.0 } else { x });
             (part(c, a) + part(s, b)).sqrt().recip()
         };
@@ -283,7 +289,11 @@ impl Sliding {
             } => {
                 let coefficient = radius(coefficients);
                 let largest = coefficients[0].max(coefficients[1]);
-                let share = if largest > 0.0 { coefficient / largest } else { 0.0 };
+                let share = if largest > 0.0 {
+                    coefficient / largest
+                } else {
+                    0.0
+                };
                 Sliding::Coulomb {
                     coefficients: [coefficient, 0.0],
                     limit: if share > 0.0 { share * limit } else { limit },

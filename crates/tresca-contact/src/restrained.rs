@@ -71,7 +71,9 @@ pub(crate) fn restrained_frame(normal: [f64; 3], free: [bool; 3]) -> Option<(Fra
 
 /// ±a, such that its largest component is positive: neighbouring pairs get neighbouring tangents.
 fn aligned(a: [f64; 3]) -> [f64; 3] {
-    let largest = a.into_iter().fold(0.0, |l: f64, x| if x.abs() > l.abs() { x } else { l });
+    let largest = a
+        .into_iter()
+        .fold(0.0, |l: f64, x| if x.abs() > l.abs() { x } else { l });
     a.map(|x| x * largest.signum())
 }
 
@@ -90,21 +92,47 @@ mod tests {
         let (frame, mobility) = restrained_frame(normal, [true, false, true]).unwrap();
         assert!(close(frame.normal, [0.6, 0.0, 0.8]));
         assert!(close(frame.tangents[0], [0.8, 0.0, -0.6]));
-        assert!(close(frame.tangents[1], [0.0, 1.0, 0.0]) || close(frame.tangents[1], [0.0, -1.0, 0.0]));
-        assert_eq!(mobility, Mobility { normal: true, tangents: [true, false] });
+        assert!(
+            close(frame.tangents[1], [0.0, 1.0, 0.0]) || close(frame.tangents[1], [0.0, -1.0, 0.0])
+        );
+        assert_eq!(
+            mobility,
+            Mobility {
+                normal: true,
+                tangents: [true, false]
+            }
+        );
         // In a corner of two symmetry planes.
         let (frame, mobility) = restrained_frame(normal, [false, false, true]).unwrap();
         assert!(close(frame.normal, [0.0, 0.0, 1.0]));
-        assert_eq!(mobility, Mobility { normal: true, tangents: [false; 2] });
+        assert_eq!(
+            mobility,
+            Mobility {
+                normal: true,
+                tangents: [false; 2]
+            }
+        );
     }
 
     #[test]
     fn a_held_normal_leaves_the_tangents() {
         let (frame, mobility) = restrained_frame([0.0, 0.0, -1.0], [true, true, false]).unwrap();
         assert!(close(frame.normal, [0.0, 0.0, -1.0]));
-        assert_eq!(mobility, Mobility { normal: false, tangents: [true; 2] });
+        assert_eq!(
+            mobility,
+            Mobility {
+                normal: false,
+                tangents: [true; 2]
+            }
+        );
         let (_, mobility) = restrained_frame([0.0, 0.0, -1.0], [false, true, false]).unwrap();
-        assert_eq!(mobility, Mobility { normal: false, tangents: [true, false] });
+        assert_eq!(
+            mobility,
+            Mobility {
+                normal: false,
+                tangents: [true, false]
+            }
+        );
         assert!(restrained_frame([0.0, 0.0, 1.0], [true; 3]).is_none());
     }
 }

@@ -6,7 +6,7 @@
 //! the forces in C vanish (docs/theory.md, "Floating bodies").
 
 use tresca_fem::dofs::DofMap;
-use tresca_fem::rigid::{self, FreeMotion, Grounding};
+use tresca_fem::rigid::{self, FreeMotion, Grounding, RigidMotion};
 use tresca_la::vector::dot;
 use tresca_qcqp::Equality;
 use tresca_qcqp::operator::Coupling;
@@ -124,6 +124,34 @@ pub struct UnresistedMotion {
     pub displacements: Vec<Vec<f64>>,
 }
 
+/// The combination of some motions, one for each part of the body that moves.
+fn combined(motions: &[FreeMotion], amounts: &[f64]) -> Vec<FreeMotion> {
+    let mut sums: Vec<FreeMotion> = Vec::new();
+    for (motion, amount) in motions.iter().zip(amounts) {
+        let RigidMotion {
+            translation,
+            rotation,
+            ..
+        } = motion.motion;
+        // All motions of a part have the same centre.
+        match sums.iter_mut().find(|sum| sum.part == motion.part) {
+            Some(sum) => {
+                for k in 0..3 {
+                    sum.motion.translation[k] += amount * translation[k];
+                    sum.motion.rotation[k] += amount * rotation[k];
+                }
+            }
+            None => {
+                let mut first = motion.clone();
+                first.motion.translation = translation.map(|t| amount * t);
+                first.motion.rotation = rotation.map(|t| amount * t);
+                sums.push(first);
+            }
+        }
+    }
+    sums
+}
+
 /// Amounts below this, relative to the largest, are rounding in a motion.
 const VISIBLE: f64 = 1e-3;
 
@@ -153,7 +181,7 @@ pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> Unr
         };
         let own = &v[first..first + floating.motions.len()];
         first += own.len();
-        for motion in rigid::combined(&floating.motions, own) {
+        for motion in combined(&floating.motions, own) {
             let moves = largest(&mut motion.displacement(&body.mesh).into_iter());
             if moves > VISIBLE * size {
                 names.push((body.name.clone(), motion.to_string()));
