@@ -4,6 +4,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`case`] | reads and checks a case file |
+//! | [`expression`] | formulas in x, y, z |
 //! | [`atomic`] | sets of files that appear together or not at all |
 //! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
 //! | [`results`] | the fields of a solved case and their names |
@@ -13,7 +14,9 @@
 pub mod atomic;
 pub mod case;
 mod error;
+pub mod expression;
 pub mod history;
+mod names;
 pub mod pvd;
 pub mod results;
 pub mod summary;

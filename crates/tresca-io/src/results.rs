@@ -5,19 +5,22 @@ use std::io::Write;
 use tresca_fem::mesh::Mesh;
 
 use crate::WriteError;
+use crate::case::LAWS;
 use crate::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 
 /// The result of one body, on its nodes.
 #[derive(Clone, Debug)]
 pub struct BodyFields<'a> {
-    /// The mesh, in three dimensions.
+    /// The mesh.
     pub mesh: &'a Mesh,
-    /// Displacement, xyz interleaved by node, clamped nodes included.
+    /// Displacement, interleaved by node, clamped nodes included: xyz, or xy in the plane.
     pub displacement: &'a [f64],
     /// Stress averaged to the nodes: xx, yy, zz, xy, yz, xz.
     pub stress: &'a [[f64; 6]],
     /// Von Mises stress of the same.
     pub von_mises: &'a [f64],
+    /// Further fields on the nodes, written behind the others.
+    pub extra: Vec<Field<'a>>,
     /// Facts about the run.
     pub facts: Vec<(String, Fact)>,
 }
@@ -29,11 +32,26 @@ impl BodyFields<'_> {
     /// As [`Grid::write`].
     pub fn write(&self, out: &mut dyn Write) -> Result<(), WriteError> {
         let mut grid = Grid::of_mesh(self.mesh);
+        // VTK knows vectors of three components only, also in the plane.
+        let plane = self.displacement.len() == 2 * grid.points.len();
+        let padded: Vec<[f64; 3]> = match plane {
+            true => self
+                .displacement
+                .chunks_exact(2)
+                .map(|u| [u[0], u[1], 0.0])
+                .collect(),
+            false => Vec::new(),
+        };
+        let displacement = match plane {
+            true => Values::Vectors(&padded),
+            false => Values::Interleaved(self.displacement),
+        };
         grid.point_fields = vec![
-            Field::new("displacement", Values::Interleaved(self.displacement)),
+            Field::new("displacement", displacement),
             Field::new("stress", Values::Tensors(self.stress)),
             Field::new("von_mises_stress", Values::Scalars(self.von_mises)),
         ];
+        grid.point_fields.extend(&self.extra);
         grid.facts = self.facts.clone();
         grid.write(out)
     }
@@ -67,7 +85,8 @@ impl ContactState {
 pub struct ContactFields<'a> {
     /// Undeformed positions of the slave points.
     pub points: &'a [[f64; 3]],
-    /// Faces between the points; where there are none, every point becomes a vertex.
+    /// Faces between the points, in the plane lines; where there are none, every point becomes a
+    /// vertex.
     pub faces: Vec<Cells<'a>>,
     /// Number of the contact pair in the case file, from 0.
     pub pair: &'a [i32],
@@ -92,6 +111,11 @@ pub struct ContactFields<'a> {
     /// Whether the tangential force is below the slip bound. With Tresca's law an open point may
     /// stick or slip, too.
     pub sticking: &'a [bool],
+    /// Numbers of the friction laws, positions in [`LAWS`](crate::case::LAWS); the field
+    /// `friction_law`, with a fact that says what the numbers mean. `None` leaves both out.
+    pub friction_law: Option<&'a [u8]>,
+    /// Further fields on the points, written behind the others.
+    pub extra: Vec<Field<'a>>,
     /// Facts about the run.
     pub facts: Vec<(String, Fact)>,
 }
@@ -135,6 +159,15 @@ impl ContactFields<'_> {
             Field::new("status", Values::States(&status)),
         ];
         grid.facts = self.facts.clone();
+        if let Some(laws) = self.friction_law {
+            grid.point_fields
+                .push(Field::new("friction_law", Values::States(laws)));
+            let numbered = LAWS.iter().enumerate().map(|(i, law)| format!("{i} {law}"));
+            let meaning = numbered.collect::<Vec<_>>().join(", ");
+            grid.facts
+                .push(("friction_law".to_owned(), Fact::Text(meaning)));
+        }
+        grid.point_fields.extend(&self.extra);
         grid.write(out)
     }
 }

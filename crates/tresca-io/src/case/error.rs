@@ -111,6 +111,8 @@ pub enum FaultKind {
     BadReference,
     /// The same thing said twice.
     Duplicate,
+    /// A file that the case file names cannot be used.
+    BadFile,
     /// Refused by a later check, which knows more than the text; see [`CaseError::semantic`].
     Semantic,
 }
@@ -125,6 +127,7 @@ impl FaultKind {
             FaultKind::BadValue => "case::bad_value",
             FaultKind::BadReference => "case::bad_reference",
             FaultKind::Duplicate => "case::duplicate",
+            FaultKind::BadFile => "case::bad_file",
             FaultKind::Semantic => "case::semantic",
         }
     }

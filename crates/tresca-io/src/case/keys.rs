@@ -4,11 +4,13 @@
 //! Values that a check may want to point at are [`Spanned`]. Whole numbers are accepted where
 //! numbers are expected. No unit is fixed: any consistent system will do (mm, N, MPa; m, N, Pa).
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::marker::PhantomData;
 
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer, SeqAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{DeserializeOwned, Deserializer, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
 /// The whole file.
@@ -21,30 +23,84 @@ use toml::Spanned;
 pub(super) struct CaseKeys<S> {
     /// Headline of reports. Default: the name of the file.
     pub title: Option<String>,
+    /// What the coordinates mean. Default: `solid`.
+    pub analysis: Option<Spanned<Analysis>>,
     /// The elastic bodies; at least one.
-    pub body: Option<Spanned<Vec<Body>>>,
+    pub body: Option<Spanned<Vec<BodyKeys>>>,
     /// Surfaces that are held.
     #[serde(default)]
     pub clamp: Vec<ClampKeys>,
-    /// Surfaces that are loaded.
+    /// Surfaces of which some displacement components are prescribed.
     #[serde(default)]
-    pub traction: Vec<TractionKeys>,
+    pub support: Vec<Spanned<SupportKeys>>,
+    /// Surfaces that are loaded by a vector.
+    #[serde(default)]
+    pub traction: Vec<Spanned<TractionKeys>>,
+    /// Surfaces that are pressed.
+    #[serde(default)]
+    pub pressure: Vec<Spanned<PressureKeys>>,
+    /// Forces per volume.
+    #[serde(default)]
+    pub body_force: Vec<Spanned<BodyForceKeys>>,
+    /// Accelerations of the field of gravity.
+    #[serde(default)]
+    pub gravity: Vec<Spanned<GravityKeys>>,
     /// Pairs of surfaces that may touch.
     #[serde(default)]
     pub contact: Vec<Spanned<ContactKeys>>,
+    /// The history of loading.
+    #[serde(default)]
+    pub step: Vec<Spanned<StepKeys>>,
     /// Settings of the solver; the keys are those of the caller's type.
     #[serde(default)]
     pub solver: S,
 }
 
+/// `analysis`: what the coordinates of a case mean, and how many there are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case", expecting = "the name of an analysis")]
+pub enum Analysis {
+    /// Bodies in space.
+    #[default]
+    Solid,
+    /// Slices of long bodies, of unit thickness; no strain across the plane.
+    PlaneStrain,
+    /// Thin sheets, of unit thickness; no stress across the plane.
+    PlaneStress,
+    /// Bodies of revolution: x is the radius, y the axis; forces are those of the whole circumference.
+    Axisymmetric,
+}
+
+impl Analysis {
+    /// Number of coordinates: 3 in space, otherwise 2.
+    pub fn dimension(self) -> usize {
+        match self {
+            Analysis::Solid => 3,
+            Analysis::PlaneStrain | Analysis::PlaneStress | Analysis::Axisymmetric => 2,
+        }
+    }
+
+    /// The word that stands for it in a case file.
+    pub fn word(self) -> &'static str {
+        match self {
+            Analysis::Solid => "solid",
+            Analysis::PlaneStrain => "plane_strain",
+            Analysis::PlaneStress => "plane_stress",
+            Analysis::Axisymmetric => "axisymmetric",
+        }
+    }
+}
+
 /// `[[body]]`: an elastic body.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table of keys under [[body]]")]
-pub struct Body {
+pub(super) struct BodyKeys {
     /// How other keys and the written files call the body: letters, digits, `_` and `-`.
     pub name: Spanned<String>,
     /// Where the mesh comes from.
     pub mesh: Spanned<Mesh>,
+    /// Where the points of that mesh go.
+    pub map: Option<Spanned<Vec<Spanned<FieldKeys>>>>,
     /// What the body is made of.
     pub material: Spanned<Material>,
 }
@@ -53,12 +109,40 @@ pub struct Body {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(
     rename_all = "lowercase",
-    expecting = "a table `{ brick = { min = …, max = …, nodes = … } }`"
+    expecting = "a table `{ brick = { … } }` or `{ rectangle = { … } }`"
 )]
 pub enum Mesh {
     /// A box with edges along the axes, cut into eight-node hexahedra.
     Brick(Brick),
+    /// A rectangle with edges along the axes, for plane and axisymmetric cases.
+    Rectangle(Rectangle),
 }
+
+impl Mesh {
+    /// Number of coordinates of its points.
+    pub fn dimension(&self) -> usize {
+        match self {
+            Mesh::Brick(_) => 3,
+            Mesh::Rectangle(_) => 2,
+        }
+    }
+
+    /// Names of the faces: axis, then `-` for the side of `min` and `+` for that of `max`.
+    pub fn faces(&self) -> &'static [&'static str] {
+        &BRICK_FACES[..2 * self.dimension()]
+    }
+
+    /// What reports call it.
+    pub(super) fn word(&self) -> &'static str {
+        match self {
+            Mesh::Brick(_) => "brick",
+            Mesh::Rectangle(_) => "rectangle",
+        }
+    }
+}
+
+/// Names of the faces of a brick; the first four are those of a rectangle.
+const BRICK_FACES: [&str; 6] = ["x-", "x+", "y-", "y+", "z-", "z+"];
 
 /// `brick`: a box with edges along the axes. Its faces are called `x-`, `x+`, `y-`, `y+`, `z-`, `z+`.
 #[derive(Clone, Debug, Deserialize)]
@@ -75,6 +159,35 @@ pub struct Brick {
     pub nodes: Spanned<Triple<usize>>,
 }
 
+/// `rectangle`: a rectangle with edges along the axes. Its faces are called `x-`, `x+`, `y-`, `y+`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table `{ min = …, max = …, nodes = … }`"
+)]
+pub struct Rectangle {
+    /// Corner with the smallest coordinates (length); in an axisymmetric case x is a radius.
+    pub min: Spanned<Pair<f64>>,
+    /// Corner with the largest coordinates (length), each larger than in `min`.
+    pub max: Spanned<Pair<f64>>,
+    /// Number of nodes along x and y, ends included; at least 2 each.
+    pub nodes: Spanned<Pair<usize>>,
+    /// What it is cut into.
+    #[serde(default)]
+    pub cells: PlaneCells,
+}
+
+/// `cells`: what a rectangle is cut into.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase", expecting = "the name of a kind of cells")]
+pub enum PlaneCells {
+    /// Four-node quadrilaterals.
+    #[default]
+    Quad,
+    /// Three-node triangles, two in the place of each quadrilateral.
+    Triangle,
+}
+
 /// `material`: isotropic linear elasticity.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(
@@ -86,85 +199,302 @@ pub struct Material {
     pub young: Spanned<f64>,
     /// Poisson's ratio, above -1 and below 0.5.
     pub poisson: Spanned<f64>,
+    /// Mass per volume, 0 or more; needed where gravity acts.
+    pub density: Option<Spanned<f64>>,
 }
+
+/// `on`: surfaces, each `body.face`.
+pub(super) type SurfaceList = Spanned<Vec<Spanned<String>>>;
 
 /// `[[clamp]]`: surfaces whose displacement is zero.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table of keys under [[clamp]]")]
 pub(super) struct ClampKeys {
-    /// The surfaces, each `body.face`.
-    pub on: Spanned<Vec<Spanned<String>>>,
+    /// The surfaces.
+    pub on: SurfaceList,
 }
 
-/// `[[traction]]`: a constant force per area on surfaces.
+/// `[[support]]`: prescribed components of the displacement.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of keys under [[support]]")]
+pub(super) struct SupportKeys {
+    /// How load steps call it.
+    pub name: Option<Spanned<String>>,
+    /// The surfaces.
+    pub on: SurfaceList,
+    /// Displacement along x (length).
+    pub x: Option<Spanned<f64>>,
+    /// Displacement along y (length).
+    pub y: Option<Spanned<f64>>,
+    /// Displacement along z (length).
+    pub z: Option<Spanned<f64>>,
+}
+
+/// `[[traction]]`: a force per area on surfaces.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table of keys under [[traction]]")]
 pub(super) struct TractionKeys {
-    /// The surfaces, each `body.face`.
-    pub on: Spanned<Vec<Spanned<String>>>,
+    /// How load steps call it.
+    pub name: Option<Spanned<String>>,
+    /// The surfaces.
+    pub on: SurfaceList,
     /// The traction vector (force per area), in the directions of the axes.
-    pub value: Spanned<Triple<f64>>,
+    pub value: Spanned<Vec<Spanned<FieldKeys>>>,
+}
+
+/// `[[pressure]]`: a force per area along the inward normal.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of keys under [[pressure]]")]
+pub(super) struct PressureKeys {
+    /// How load steps call it.
+    pub name: Option<Spanned<String>>,
+    /// The surfaces.
+    pub on: SurfaceList,
+    /// The pressure (force per area), positive when it presses on the body.
+    pub value: Spanned<FieldKeys>,
+}
+
+/// `[[body_force]]`: a force per volume.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table of keys under [[body_force]]"
+)]
+pub(super) struct BodyForceKeys {
+    /// How load steps call it.
+    pub name: Option<Spanned<String>>,
+    /// Names of the bodies. Default: all.
+    pub bodies: Option<Spanned<Vec<Spanned<String>>>>,
+    /// The force per volume, in the directions of the axes.
+    pub value: Spanned<Vec<Spanned<f64>>>,
+}
+
+/// `[[gravity]]`: an acceleration that acts on masses.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of keys under [[gravity]]")]
+pub(super) struct GravityKeys {
+    /// How load steps call it.
+    pub name: Option<Spanned<String>>,
+    /// Names of the bodies. Default: all.
+    pub bodies: Option<Spanned<Vec<Spanned<String>>>>,
+    /// The acceleration, in the directions of the axes.
+    pub value: Spanned<Vec<Spanned<f64>>>,
 }
 
 /// `[[contact]]`: two surfaces that may touch.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table of keys under [[contact]]")]
 pub(super) struct ContactKeys {
+    /// How load steps and reports call it.
+    pub name: Option<Spanned<String>>,
     /// Slave and master surface, each `body.face`.
     pub pair: Spanned<Vec<Spanned<String>>>,
     /// What resists sliding.
     pub friction: Spanned<FrictionKeys>,
+    /// Length that is added to the distance of the surfaces. Default: 0.
+    pub gap: Option<Spanned<FieldKeys>>,
 }
 
 /// `friction`: the law and its figures. All figures of all laws stand here; which of them a law
-/// needs is checked afterwards, so that the report can name the law.
+/// takes is checked afterwards, so that the report can name the law.
 #[derive(Debug, Deserialize)]
 #[serde(
     deny_unknown_fields,
     expecting = "a table `{ law = \"tresca\", bound = … }`"
 )]
 pub(super) struct FrictionKeys {
-    /// The law: `tresca`.
+    /// The law, one of [`super::friction::LAWS`].
     pub law: Spanned<String>,
     /// Slip bound (force per area), 0 or more: the tangential traction at which the pair slides.
-    pub bound: Option<Spanned<f64>>,
+    pub bound: Option<Spanned<FieldKeys>>,
+    /// Slip bounds along the two axes (force per area).
+    pub bounds: Option<Spanned<Vec<Spanned<FieldKeys>>>>,
+    /// Coefficient of friction, 0 or more.
+    pub coefficient: Option<Spanned<f64>>,
+    /// Coefficients of friction along the two axes.
+    pub coefficients: Option<Spanned<Vec<Spanned<f64>>>>,
+    /// The first axis of friction, in the directions of the axes of space.
+    pub axis: Option<Spanned<Triple<f64>>>,
+    /// Largest slip bound (force per area), whatever the normal force.
+    pub limit: Option<Spanned<FieldKeys>>,
 }
 
-/// Three values for the directions x, y, z, each with its place in the file.
-#[derive(Clone, Debug)]
-pub struct Triple<T>(pub [Spanned<T>; 3]);
+/// `[[step]]`: a step of the history of loading.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of keys under [[step]]")]
+pub(super) struct StepKeys {
+    /// What reports call it.
+    pub name: Option<Spanned<String>>,
+    /// The instant of its end. Default: one more than that of the step before.
+    pub time: Option<Spanned<f64>>,
+    /// Number of parts that the change is cut into. Default: 1.
+    pub increments: Option<Spanned<usize>>,
+    /// By name of a support, load or contact: what its own value is multiplied by.
+    #[serde(default)]
+    pub factors: BTreeMap<Spanned<String>, Spanned<f64>>,
+    /// By name of a support, load or contact: what takes the place of its own value.
+    #[serde(default)]
+    pub values: BTreeMap<Spanned<String>, Spanned<ValueKeys>>,
+}
 
-impl<T: Copy> Triple<T> {
+/// A field over a body or surface, as it stands in the text.
+#[derive(Clone, Debug)]
+pub(super) enum FieldKeys {
+    /// The same everywhere.
+    Number(f64),
+    /// A formula.
+    Text(String),
+    /// A table of values in a file.
+    File(Spanned<String>),
+}
+
+/// `{ file = … }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table `{ file = \"….csv\" }`")]
+struct FileKeys {
+    /// Path of the file, relative to the case file.
+    file: Spanned<String>,
+}
+
+impl<'de> Deserialize<'de> for FieldKeys {
+    /// Not derived: an untagged enum forgets where its errors are.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FieldVisitor)
+    }
+}
+
+struct FieldVisitor;
+
+impl<'de> Visitor<'de> for FieldVisitor {
+    type Value = FieldKeys;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, or an expression in quotes")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<FieldKeys, E> {
+        Ok(FieldKeys::Number(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<FieldKeys, E> {
+        Ok(FieldKeys::Number(value as f64))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<FieldKeys, E> {
+        Ok(FieldKeys::Text(text.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FieldKeys, A::Error> {
+        let keys = FileKeys::deserialize(MapAccessDeserializer::new(map))?;
+        Ok(FieldKeys::File(keys.file))
+    }
+}
+
+/// A new value in a load step, as it stands in the text.
+#[derive(Clone, Debug)]
+pub(super) enum ValueKeys {
+    /// A pressure or a slip bound.
+    Number(f64),
+    /// A traction, a body force or an acceleration.
+    List(Vec<Spanned<f64>>),
+    /// A prescribed displacement.
+    Components(ComponentKeys),
+}
+
+/// `{ x = …, y = …, z = … }`: components of a displacement.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table `{ x = …, y = …, z = … }`")]
+pub(super) struct ComponentKeys {
+    /// Along x (length).
+    pub x: Option<Spanned<f64>>,
+    /// Along y (length).
+    pub y: Option<Spanned<f64>>,
+    /// Along z (length).
+    pub z: Option<Spanned<f64>>,
+}
+
+impl<'de> Deserialize<'de> for ValueKeys {
+    /// Not derived, for the same reason as with [`FieldKeys`].
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(ValueVisitor)
+    }
+}
+
+struct ValueVisitor;
+
+impl<'de> Visitor<'de> for ValueVisitor {
+    type Value = ValueKeys;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, a list of numbers or a table `{ x = …, y = …, z = … }`")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<ValueKeys, E> {
+        Ok(ValueKeys::Number(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<ValueKeys, E> {
+        Ok(ValueKeys::Number(value as f64))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<ValueKeys, A::Error> {
+        Deserialize::deserialize(SeqAccessDeserializer::new(list)).map(ValueKeys::List)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ValueKeys, A::Error> {
+        Deserialize::deserialize(MapAccessDeserializer::new(map)).map(ValueKeys::Components)
+    }
+}
+
+/// Values for the directions of the axes, each with its place in the file.
+#[derive(Clone, Debug)]
+pub struct Components<T, const N: usize>(pub [Spanned<T>; N]);
+
+/// Values for the directions x, y, z.
+pub type Triple<T> = Components<T, 3>;
+
+/// Values for the directions x, y.
+pub type Pair<T> = Components<T, 2>;
+
+impl<T: Copy, const N: usize> Components<T, N> {
     /// The values alone.
-    pub fn values(&self) -> [T; 3] {
+    pub fn values(&self) -> [T; N] {
         std::array::from_fn(|axis| *self.0[axis].get_ref())
     }
 }
 
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Triple<T> {
-    /// Not derived: the array of the standard library takes the first three of a longer list.
+impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Components<T, N> {
+    /// Not derived: the array of the standard library takes the first ones of a longer list.
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(TripleVisitor(PhantomData))
+        deserializer.deserialize_seq(ComponentsVisitor(PhantomData))
     }
 }
 
-struct TripleVisitor<T>(PhantomData<T>);
+struct ComponentsVisitor<T, const N: usize>(PhantomData<T>);
 
-impl<'de, T: Deserialize<'de>> Visitor<'de> for TripleVisitor<T> {
-    type Value = Triple<T>;
+impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for ComponentsVisitor<T, N> {
+    type Value = Components<T, N>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list of three numbers [x, y, z]")
+        f.write_str(list_of_numbers(N))
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<Triple<T>, A::Error> {
-        let mut values = Vec::with_capacity(3);
+    fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<Self::Value, A::Error> {
+        let mut values = Vec::with_capacity(N);
         while let Some(value) = sequence.next_element()? {
             values.push(value);
         }
         let found = values.len();
-        let values = <[Spanned<T>; 3]>::try_from(values)
+        let values = <[Spanned<T>; N]>::try_from(values)
             .map_err(|_| serde::de::Error::invalid_length(found, &self))?;
-        Ok(Triple(values))
+        Ok(Components(values))
+    }
+}
+
+/// A vector in words, by the number of its components.
+pub(super) fn list_of_numbers(dimension: usize) -> &'static str {
+    match dimension {
+        2 => "a list of two numbers [x, y]",
+        _ => "a list of three numbers [x, y, z]",
     }
 }

@@ -27,11 +27,19 @@
 //! What needs a mesh, a stiffness or the list of solver settings is checked by whoever has it, and
 //! reported through [`CaseError::semantic`] with a span kept here or found by [`CaseSource::locate`].
 
+mod body;
 mod check;
+mod contact;
 mod error;
+mod fields;
+mod friction;
 mod keys;
+mod loads;
 mod precheck;
+mod samples;
 mod source;
+mod steps;
+mod surface;
 mod translate;
 mod values;
 
@@ -40,12 +48,19 @@ use std::path::Path;
 
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IntoDeserializer};
-use toml::Spanned;
 use toml::de::DeTable;
 
+pub use body::Body;
+pub use contact::Contact;
 pub use error::{CaseError, Fault, FaultKind};
-pub use keys::{Body, Brick, Material, Mesh, Triple};
+pub use fields::{Field, VectorField};
+pub use friction::{Friction, LAWS};
+pub use keys::{Analysis, Brick, Components, Material, Mesh, Pair, PlaneCells, Rectangle, Triple};
+pub use loads::{BodyForce, Clamp, Gravity, Pressure, Support, Traction};
+pub use samples::Samples;
 pub use source::{CaseSource, Span};
+pub use steps::{Amount, Amounts, MAX_INCREMENTS, Quantity, Step};
+pub use surface::Surface;
 pub use values::MAX_NODES;
 
 /// A case file whose names are resolved and whose values are possible. `S` holds the solver's
@@ -55,85 +70,31 @@ pub use values::MAX_NODES;
 pub struct CaseFile<S> {
     /// Headline; the file's name without extension where none was given.
     pub title: String,
+    /// What the coordinates mean, and how many there are.
+    pub analysis: Analysis,
     /// At least one; names differ, also when case is ignored, for they become names of files.
     pub bodies: Vec<Body>,
     /// Surfaces with zero displacement.
     pub clamps: Vec<Clamp>,
-    /// Surfaces under constant traction. A surface may stand in several of them: they add up.
+    /// Prescribed components of the displacement. Whether two of them contradict each other at a
+    /// node is for the caller to check, who has the nodes.
+    pub supports: Vec<Support>,
+    /// Forces per area. A surface may stand in several of them: they add up.
     pub tractions: Vec<Traction>,
+    /// Forces per area along the normal, added to the tractions.
+    pub pressures: Vec<Pressure>,
+    /// Forces per volume; they add up.
+    pub body_forces: Vec<BodyForce>,
+    /// Accelerations that act on masses; they add up.
+    pub gravities: Vec<Gravity>,
     /// Pairs that may touch; may be empty.
     pub contacts: Vec<Contact>,
+    /// The history of loading, increment after increment; at least one.
+    pub steps: Vec<Step>,
     /// The `[solver]` table; `S::default()` without one.
     pub solver: S,
     /// Name and text, for reports of later checks.
     pub source: CaseSource,
-}
-
-/// A surface of a body, written `body.face`.
-#[derive(Clone, Debug)]
-pub struct Surface {
-    /// Index into [`CaseFile::bodies`].
-    pub body: usize,
-    /// Name of the face; of a brick one of [`BRICK_FACES`].
-    pub face: String,
-    /// Where it stands.
-    pub span: Span,
-}
-
-impl Surface {
-    fn is_same(&self, other: &Surface) -> bool {
-        self.body == other.body && self.face == other.face
-    }
-}
-
-/// Names of the faces of a brick: axis, then `-` for the side of `min` and `+` for that of `max`.
-pub const BRICK_FACES: [&str; 6] = ["x-", "x+", "y-", "y+", "z-", "z+"];
-
-/// Surfaces with zero displacement.
-#[derive(Clone, Debug)]
-pub struct Clamp {
-    /// The surfaces; at least one, none twice.
-    pub on: Vec<Surface>,
-}
-
-/// A constant force per area.
-#[derive(Clone, Debug)]
-pub struct Traction {
-    /// The surfaces; at least one, none twice.
-    pub on: Vec<Surface>,
-    /// The traction vector (force per area), finite.
-    pub value: Spanned<Triple<f64>>,
-}
-
-/// Two surfaces that may touch.
-#[derive(Clone, Debug)]
-pub struct Contact {
-    /// The surface that carries the contact forces, first in the file.
-    pub slave: Surface,
-    /// The other one.
-    pub master: Surface,
-    /// What resists sliding.
-    pub friction: Friction,
-    /// The whole table, for reports about the pair.
-    pub span: Span,
-}
-
-/// Friction laws.
-#[derive(Clone, Debug)]
-pub enum Friction {
-    /// Tresca's law: the pair slides when its tangential traction reaches the bound, whatever the
-    /// normal force.
-    Tresca {
-        /// The slip bound.
-        bound: Spanned<SlipBound>,
-    },
-}
-
-/// How a slip bound is given.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum SlipBound {
-    /// The same over the whole surface (force per area); finite, 0 or more.
-    Constant(f64),
 }
 
 /// Reads and checks a case file.
@@ -198,7 +159,7 @@ fn missing_file(path: &Path) -> String {
         .filter(|name| name.ends_with(".toml"))
         .collect();
     let wanted = path.file_name().unwrap_or_default().to_string_lossy();
-    match translate::nearest(&wanted, names.iter().map(String::as_str)) {
+    match crate::names::nearest(&wanted, names.iter().map(String::as_str)) {
         Some(near) => format!("did you mean `{}`?", path.with_file_name(near).display()),
         None => {
             "a path that does not start at the root counts from the current directory".to_owned()

@@ -5,16 +5,37 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{CaseError, Fault, FaultKind};
+use super::friction::LAWS;
 use super::source::CaseSource;
 use super::translate::unsupported;
 
-const LAWS: [&str; 1] = ["tresca"];
-
 /// Keys whose value is a table.
-const TABLES: [&str; 5] = ["mesh", "brick", "material", "friction", "solver"];
+const TABLES: [&str; 8] = [
+    "mesh",
+    "brick",
+    "rectangle",
+    "material",
+    "friction",
+    "factors",
+    "values",
+    "solver",
+];
 
 /// Keys whose value is a list of tables.
-const TABLE_LISTS: [&str; 4] = ["body", "clamp", "traction", "contact"];
+const TABLE_LISTS: [&str; 9] = [
+    "body",
+    "clamp",
+    "support",
+    "traction",
+    "pressure",
+    "body_force",
+    "gravity",
+    "contact",
+    "step",
+];
+
+/// Tables whose keys are names that the user chose, among them perhaps one of the above.
+const NAMED_BY_USER: [&str; 2] = ["factors", "values"];
 
 /// Friction laws that are not known. Without this the report on a law of another version would name
 /// one of its keys instead of the law.
@@ -38,7 +59,6 @@ pub(super) fn friction_laws(source: &CaseSource, root: &DeTable<'_>) -> Result<(
                 name,
                 &LAWS,
             )
-            .with_help("supported: `tresca`; with `bound = 0.0` it is contact without friction")
             .into());
         }
     }
@@ -51,6 +71,7 @@ pub(super) fn lists_for_tables(source: &CaseSource, root: &DeTable<'_>) -> Resul
     for (key, value) in root {
         let key = key.get_ref().as_ref();
         match value.get_ref() {
+            DeValue::Table(_) if NAMED_BY_USER.contains(&key) => {}
             DeValue::Table(table) => lists_for_tables(source, table)?,
             DeValue::Array(_) if TABLES.contains(&key) => {
                 return Err(expected_table(source, key, value));

@@ -6,6 +6,7 @@
 
 use super::error::{CaseError, Fault, FaultKind};
 use super::source::{CaseSource, Span};
+use crate::names::{listed, nearest};
 
 /// The text is no TOML.
 pub(super) fn syntax_error(source: &CaseSource, error: &toml::de::Error) -> CaseError {
@@ -252,30 +253,4 @@ fn choices(rest: &str) -> Vec<&str> {
 /// A key or text without its quotes.
 fn bare(text: &str) -> &str {
     text.trim_matches(|c| c == '"' || c == '\'')
-}
-
-/// `a`, `b` and `c`.
-pub(super) fn listed(names: &[&str]) -> String {
-    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
-    match quoted.split_last() {
-        Some((last, [])) => last.clone(),
-        Some((last, rest)) => format!("{} and {last}", rest.join(", ")),
-        None => "none".to_owned(),
-    }
-}
-
-/// The candidate closest to what was written, if it is close enough to be a slip of the pen: one
-/// edit in three letters, case left aside.
-pub(super) fn nearest<'a>(
-    found: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
-    let found = found.to_lowercase();
-    candidates
-        .into_iter()
-        .filter(|name| found.len() <= 2 * name.len() + 2)
-        .map(|name| (strsim::osa_distance(&found, &name.to_lowercase()), name))
-        .filter(|(distance, name)| 3 * distance <= name.chars().count().max(3))
-        .min_by_key(|(distance, _)| *distance)
-        .map(|(_, name)| name)
 }

@@ -4,22 +4,31 @@ use toml::Spanned;
 
 use super::check::Check;
 use super::error::{CaseError, FaultKind};
-use super::keys::{Brick, Material, Triple};
+use super::keys::{Components, Material};
+use crate::expression::VARIABLES;
 
 /// Nodes that one body may have. Three unknowns per node: a hundred million nodes are beyond any
 /// direct factorisation, so a larger number is a slip of the pen, better said before memory runs out.
 pub const MAX_NODES: usize = 100_000_000;
 
 impl Check<'_> {
-    pub(super) fn brick(&self, brick: &Brick) -> Result<(), CaseError> {
-        self.finite_triple("the corner `min`", &brick.min)?;
-        self.finite_triple("the corner `max`", &brick.max)?;
-        self.nodes(&brick.nodes)?;
+    /// A box or rectangle; `word` is what reports call it.
+    pub(super) fn block<const N: usize>(
+        &self,
+        word: &str,
+        low: &Spanned<Components<f64, N>>,
+        high: &Spanned<Components<f64, N>>,
+        nodes: &Spanned<Components<usize, N>>,
+    ) -> Result<(), CaseError> {
+        let volume_word = if N == 2 { "area" } else { "volume" };
+        self.finite_components("the corner `min`", low)?;
+        self.finite_components("the corner `max`", high)?;
+        self.nodes(nodes)?;
         let mut volume = 1.0;
-        for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
-            let (low, high) = (&brick.min.get_ref().0[axis], &brick.max.get_ref().0[axis]);
+        for (axis, letter) in VARIABLES.into_iter().enumerate().take(N) {
+            let (low, high) = (&low.get_ref().0[axis], &high.get_ref().0[axis]);
             let (min, max) = (*low.get_ref(), *high.get_ref());
-            let cells = (*brick.nodes.get_ref().0[axis].get_ref() - 1) as f64;
+            let cells = (*nodes.get_ref().0[axis].get_ref() - 1) as f64;
             let extent = max - min;
             volume *= extent;
             // Neighbouring nodes must differ by more than rounding of their coordinates.
@@ -29,12 +38,12 @@ impl Check<'_> {
             }
             let (message, help) = if extent < 0.0 {
                 (
-                    format!("the brick is turned inside out: `min` exceeds `max` along {letter}"),
+                    format!("the {word} is turned inside out: `min` exceeds `max` along {letter}"),
                     "`min` and `max` are probably exchanged",
                 )
             } else if extent == 0.0 {
                 (
-                    format!("the brick has zero volume: no extent along {letter}"),
+                    format!("the {word} has zero {volume_word}: no extent along {letter}"),
                     "a body is solid; give it an extent in every direction",
                 )
             } else {
@@ -57,19 +66,23 @@ impl Check<'_> {
         if f64::is_normal(volume) {
             return Ok(());
         }
+        let extents = if N == 2 { "two" } else { "three" };
         Err(self
             .fault(
                 FaultKind::BadValue,
-                brick.max.span(),
-                "the volume of the brick is beyond the range of numbers",
-                format!("the product of the three extents is {volume:?}"),
+                high.span(),
+                format!("the {volume_word} of the {word} is beyond the range of numbers"),
+                format!("the product of the {extents} extents is {volume:?}"),
             )
             .with_help("choose another unit of length")
             .into())
     }
 
-    fn nodes(&self, nodes: &Spanned<Triple<usize>>) -> Result<(), CaseError> {
-        for (count, letter) in nodes.get_ref().0.iter().zip(["x", "y", "z"]) {
+    fn nodes<const N: usize>(
+        &self,
+        nodes: &Spanned<Components<usize, N>>,
+    ) -> Result<(), CaseError> {
+        for (count, letter) in nodes.get_ref().0.iter().zip(VARIABLES) {
             if *count.get_ref() < 2 {
                 return Err(self
                     .fault(
@@ -98,7 +111,11 @@ impl Check<'_> {
                 "too many nodes",
                 format!("expected at most {MAX_NODES} in all, found {found}"),
             )
-            .with_help("the three counts are multiplied: [41, 41, 41] are 68921 nodes")
+            .with_help(if N == 2 {
+                "the two counts are multiplied: [41, 41] are 1681 nodes"
+            } else {
+                "the three counts are multiplied: [41, 41, 41] are 68921 nodes"
+            })
             .into())
     }
 
@@ -114,6 +131,9 @@ impl Check<'_> {
                 )
                 .with_help("it is the stiffness of the material, a force per area")
                 .into());
+        }
+        if let Some(density) = &material.density {
+            self.not_negative("the density", density, "it is the mass per volume")?;
         }
         let poisson = self.finite("Poisson's ratio", &material.poisson)?;
         if poisson > -1.0 && poisson < 0.5 {
@@ -138,15 +158,37 @@ impl Check<'_> {
             .into())
     }
 
-    pub(super) fn finite_triple(
+    pub(super) fn finite_components<const N: usize>(
         &self,
         what: &str,
-        triple: &Spanned<Triple<f64>>,
+        values: &Spanned<Components<f64, N>>,
     ) -> Result<(), CaseError> {
-        for value in &triple.get_ref().0 {
+        for value in &values.get_ref().0 {
             self.finite(what, value)?;
         }
         Ok(())
+    }
+
+    /// `help` says what the number is.
+    pub(super) fn not_negative(
+        &self,
+        what: &str,
+        value: &Spanned<f64>,
+        help: &str,
+    ) -> Result<f64, CaseError> {
+        let number = self.finite(what, value)?;
+        if number >= 0.0 {
+            return Ok(number);
+        }
+        Err(self
+            .fault(
+                FaultKind::BadValue,
+                value.span(),
+                format!("{what} must not be negative"),
+                format!("expected 0 or more, found {number:?}"),
+            )
+            .with_help(help)
+            .into())
     }
 
     pub(super) fn finite(&self, what: &str, value: &Spanned<f64>) -> Result<f64, CaseError> {

@@ -76,6 +76,7 @@ fn a_body_comes_back() {
         displacement: &displacement,
         stress: &stress,
         von_mises: &von_mises,
+        extra: Vec::new(),
         facts: facts(),
     }
     .write(&mut file)
@@ -215,6 +216,8 @@ impl Contact {
             slip: &self.vectors,
             closed: &self.closed,
             sticking: &self.sticking,
+            friction_law: None,
+            extra: Vec::new(),
             facts: facts(),
         }
     }
@@ -342,6 +345,7 @@ fn a_set_of_grids_is_written_with_its_collection() {
         displacement: &displacement,
         stress: &stress,
         von_mises: &von_mises,
+        extra: Vec::new(),
         facts: facts(),
     };
     let contact = Contact::new();

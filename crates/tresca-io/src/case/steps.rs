@@ -1,0 +1,645 @@
+//! The history of loading: a list of steps, cut into increments, with the amount of every support,
+//! load and slip bound at the end of each.
+
+use toml::Spanned;
+
+use super::check::Check;
+use super::contact::Contact;
+use super::error::{CaseError, FaultKind};
+use super::friction::Friction;
+use super::keys::{StepKeys, ValueKeys};
+use super::loads::{BodyForce, Gravity, Pressure, Support, Traction};
+use super::source::Span;
+use crate::names::{listed, nearest};
+
+/// Increments that all steps of a case may have together: more is a slip of the pen.
+pub const MAX_INCREMENTS: usize = 100_000;
+
+/// One increment of the history of loading: a state of the loads for which equilibrium is sought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Name of the step in the file.
+    pub name: Option<String>,
+    /// Number of the step in the file, from 0.
+    pub number: usize,
+    /// Number of the increment in its step, from 1.
+    pub increment: usize,
+    /// Number of increments of its step.
+    pub increments: usize,
+    /// The instant of its end; larger than that of the increment before, and than 0.
+    pub time: f64,
+    /// What acts at that instant.
+    pub amounts: Amounts,
+}
+
+/// What acts at an instant, entry by entry in the order of the lists of the
+/// [`CaseFile`](super::CaseFile).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Amounts {
+    /// Displacements along x, y, z (length); `None` where the surfaces may move: the same components
+    /// in all steps.
+    pub supports: Vec<[Option<f64>; 3]>,
+    /// Forces per area.
+    pub tractions: Vec<Amount<[f64; 3]>>,
+    /// Forces per area along the inward normal.
+    pub pressures: Vec<Amount<f64>>,
+    /// Forces per volume.
+    pub body_forces: Vec<Amount<[f64; 3]>>,
+    /// Accelerations.
+    pub gravities: Vec<Amount<[f64; 3]>>,
+    /// Slip bounds of the contacts (force per area), 0 or more; always `Factor(1.0)` where the law has
+    /// no bound of its own: frictionless, Coulomb, tied, bilateral without bound.
+    pub bounds: Vec<Amount<f64>>,
+}
+
+/// How much of a quantity acts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Amount<T> {
+    /// The table's own value, multiplied by this.
+    Factor(f64),
+    /// This, over the whole surface or body, in the place of the table's own value.
+    Value(T),
+}
+
+/// Quantities that can be multiplied and interpolated.
+pub trait Quantity: Copy + PartialEq {
+    /// Nothing.
+    const ZERO: Self;
+
+    /// factor × self.
+    fn times(self, factor: f64) -> Self;
+
+    /// (1 − t) self + t other.
+    fn towards(self, other: Self, t: f64) -> Self;
+}
+
+impl Quantity for f64 {
+    const ZERO: Self = 0.0;
+
+    fn times(self, factor: f64) -> Self {
+        factor * self
+    }
+
+    fn towards(self, other: Self, t: f64) -> Self {
+        (1.0 - t) * self + t * other
+    }
+}
+
+impl Quantity for [f64; 3] {
+    const ZERO: Self = [0.0; 3];
+
+    fn times(self, factor: f64) -> Self {
+        self.map(|x| factor * x)
+    }
+
+    fn towards(self, other: Self, t: f64) -> Self {
+        std::array::from_fn(|i| self[i].towards(other[i], t))
+    }
+}
+
+impl<T: Quantity> Amount<T> {
+    /// The amount, by the table's own value at a point.
+    pub fn of(self, own: T) -> T {
+        match self {
+            Amount::Factor(factor) => own.times(factor),
+            Amount::Value(value) => value,
+        }
+    }
+
+    /// The amount, by the table's own value where that does not vary. Nothing is nothing of a
+    /// varying value, too.
+    fn resolved(self, own: Option<T>) -> Option<T> {
+        match self {
+            Amount::Factor(0.0) => Some(T::ZERO),
+            Amount::Factor(factor) => own.map(|own| own.times(factor)),
+            Amount::Value(value) => Some(value),
+        }
+    }
+
+    /// A part t of the way from here to there; `None` between a factor of a varying value and a
+    /// value.
+    fn towards(self, there: Self, t: f64, own: Option<T>) -> Option<Self> {
+        if self == there || t == 1.0 {
+            return Some(there);
+        }
+        match (self, there) {
+            (Amount::Factor(a), Amount::Factor(b)) => Some(Amount::Factor(a.towards(b, t))),
+            _ => {
+                let (a, b) = (self.resolved(own)?, there.resolved(own)?);
+                Some(Amount::Value(a.towards(b, t)))
+            }
+        }
+    }
+}
+
+/// What load steps speak of.
+pub(super) struct Loading<'a> {
+    pub supports: &'a [Support],
+    pub tractions: &'a [Traction],
+    pub pressures: &'a [Pressure],
+    pub body_forces: &'a [BodyForce],
+    pub gravities: &'a [Gravity],
+    pub contacts: &'a [Contact],
+}
+
+/// A table that load steps may name, by its number in its list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Item {
+    Support(usize),
+    Traction(usize),
+    Pressure(usize),
+    BodyForce(usize),
+    Gravity(usize),
+    Contact(usize),
+}
+
+impl<'a> Loading<'a> {
+    /// All names, in the order of the lists.
+    fn names(&self) -> Vec<(&'a Spanned<String>, Item)> {
+        fn of<'a, T>(
+            list: &'a [T],
+            name: impl Fn(&'a T) -> &'a Option<Spanned<String>>,
+            item: impl Fn(usize) -> Item,
+        ) -> impl Iterator<Item = (&'a Spanned<String>, Item)> {
+            let names = list.iter().map(name).enumerate();
+            names.filter_map(move |(i, name)| Some((name.as_ref()?, item(i))))
+        }
+        of(self.supports, |support| &support.name, Item::Support)
+            .chain(of(self.tractions, |load| &load.name, Item::Traction))
+            .chain(of(self.pressures, |load| &load.name, Item::Pressure))
+            .chain(of(self.body_forces, |load| &load.name, Item::BodyForce))
+            .chain(of(self.gravities, |load| &load.name, Item::Gravity))
+            .chain(of(self.contacts, |pair| &pair.name, Item::Contact))
+            .collect()
+    }
+
+    /// Every table's own value.
+    fn full(&self) -> Amounts {
+        Amounts {
+            supports: self.supports.iter().map(|s| s.displacement).collect(),
+            tractions: vec![Amount::Factor(1.0); self.tractions.len()],
+            pressures: vec![Amount::Factor(1.0); self.pressures.len()],
+            body_forces: vec![Amount::Factor(1.0); self.body_forces.len()],
+            gravities: vec![Amount::Factor(1.0); self.gravities.len()],
+            bounds: vec![Amount::Factor(1.0); self.contacts.len()],
+        }
+    }
+
+    /// The state before the first step: bodies at rest under no load, surfaces as rough as ever.
+    fn rest(&self) -> Amounts {
+        Amounts {
+            supports: self
+                .supports
+                .iter()
+                .map(|s| s.displacement.map(|u| u.map(|_| 0.0)))
+                .collect(),
+            tractions: vec![Amount::Factor(0.0); self.tractions.len()],
+            pressures: vec![Amount::Factor(0.0); self.pressures.len()],
+            body_forces: vec![Amount::Factor(0.0); self.body_forces.len()],
+            gravities: vec![Amount::Factor(0.0); self.gravities.len()],
+            bounds: vec![Amount::Factor(1.0); self.contacts.len()],
+        }
+    }
+
+    fn own_traction(&self, i: usize) -> Option<[f64; 3]> {
+        self.tractions[i].value.constant()
+    }
+
+    fn own_pressure(&self, i: usize) -> Option<f64> {
+        self.pressures[i].value.get_ref().constant()
+    }
+
+    /// The slip bound of a contact whose law has a single one.
+    fn own_bound(&self, i: usize) -> Option<f64> {
+        match &self.contacts[i].friction {
+            Friction::Tresca { bound } | Friction::Bilateral { bound: Some(bound) } => {
+                bound.get_ref().constant()
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether an item keeps [`Loading::between`] from finding a way.
+    fn is_stuck(&self, item: Item, from: &Amounts, to: &Amounts) -> bool {
+        let half = |from: Amount<f64>, to, own| from.towards(to, 0.5, own).is_none();
+        match item {
+            Item::Traction(i) => {
+                let (from, to) = (from.tractions[i], to.tractions[i]);
+                from.towards(to, 0.5, self.own_traction(i)).is_none()
+            }
+            Item::Pressure(i) => half(from.pressures[i], to.pressures[i], self.own_pressure(i)),
+            Item::Contact(i) => half(from.bounds[i], to.bounds[i], self.own_bound(i)),
+            // Their own values never vary.
+            Item::Support(_) | Item::BodyForce(_) | Item::Gravity(_) => false,
+        }
+    }
+
+    /// A part t of the way between two states; `None` if there is something that cannot be
+    /// interpolated, see [`Amount::towards`].
+    fn between(&self, from: &Amounts, to: &Amounts, t: f64) -> Option<Amounts> {
+        fn each<T: Quantity>(
+            from: &[Amount<T>],
+            to: &[Amount<T>],
+            t: f64,
+            own: impl Fn(usize) -> Option<T>,
+        ) -> Option<Vec<Amount<T>>> {
+            let pairs = from.iter().zip(to).enumerate();
+            pairs
+                .map(|(i, (from, to))| from.towards(*to, t, own(i)))
+                .collect()
+        }
+        let supports = from.supports.iter().zip(&to.supports);
+        Some(Amounts {
+            supports: supports
+                .map(|(from, to)| {
+                    std::array::from_fn(|axis| Some(from[axis]?.towards(to[axis]?, t)))
+                })
+                .collect(),
+            tractions: each(&from.tractions, &to.tractions, t, |i| self.own_traction(i))?,
+            pressures: each(&from.pressures, &to.pressures, t, |i| self.own_pressure(i))?,
+            body_forces: each(&from.body_forces, &to.body_forces, t, |i| {
+                Some(self.body_forces[i].value)
+            })?,
+            gravities: each(&from.gravities, &to.gravities, t, |i| {
+                Some(self.gravities[i].value)
+            })?,
+            bounds: each(&from.bounds, &to.bounds, t, |i| self.own_bound(i))?,
+        })
+    }
+}
+
+impl Check<'_> {
+    pub(super) fn steps(
+        &self,
+        list: Vec<Spanned<StepKeys>>,
+        loading: &Loading<'_>,
+    ) -> Result<Vec<Step>, CaseError> {
+        let names = loading.names();
+        self.different(&names)?;
+        if list.is_empty() {
+            return Ok(vec![Step {
+                name: None,
+                number: 0,
+                increment: 1,
+                increments: 1,
+                time: 1.0,
+                amounts: loading.full(),
+            }]);
+        }
+        let mut steps = Vec::new();
+        let (mut time, mut before) = (0.0, loading.rest());
+        for (number, keys) in list.into_iter().enumerate() {
+            let span = keys.span();
+            let keys = keys.into_inner();
+            let name = self.item_name(keys.name)?.map(Spanned::into_inner);
+            let end = self.time(keys.time.as_ref(), time)?;
+            let increments = self.increments(keys.increments.as_ref(), steps.len())?;
+            // What the first step does not mention acts fully at its end, as without steps.
+            let mut after = match number {
+                0 => loading.full(),
+                _ => before.clone(),
+            };
+            for (name, factor) in &keys.factors {
+                let item = self.named(name, &names)?;
+                self.set_factor(item, name, factor, loading, &mut after)?;
+            }
+            for (name, value) in &keys.values {
+                if let Some((other, _)) = keys.factors.get_key_value(name) {
+                    return Err(self
+                        .fault(
+                            FaultKind::Duplicate,
+                            name.span(),
+                            format!(
+                                "`{}` has both a factor and a value in this step",
+                                name.get_ref()
+                            ),
+                            "the value",
+                        )
+                        .and_at(other.span(), "the factor")
+                        .with_help("remove one of the two")
+                        .into());
+                }
+                let item = self.named(name, &names)?;
+                self.set_value(item, name, value, loading, &mut after)?;
+            }
+            for increment in 1..=increments {
+                let t = increment as f64 / increments as f64;
+                let Some(amounts) = loading.between(&before, &after, t) else {
+                    let given = keys.factors.keys().chain(keys.values.keys());
+                    let stuck = given.filter(|name| {
+                        self.named(name, &names)
+                            .is_ok_and(|item| loading.is_stuck(item, &before, &after))
+                    });
+                    let place = stuck.map(Spanned::span).next().unwrap_or(span);
+                    return Err(self.no_way_between(place));
+                };
+                steps.push(Step {
+                    name: name.clone(),
+                    number,
+                    increment,
+                    increments,
+                    time: time.towards(end, t),
+                    amounts,
+                });
+            }
+            (time, before) = (end, after);
+        }
+        Ok(steps)
+    }
+
+    /// Names are unique over all lists, for steps do not say which list they mean.
+    fn different(&self, names: &[(&Spanned<String>, Item)]) -> Result<(), CaseError> {
+        for (i, (name, _)) in names.iter().enumerate() {
+            if let Some((first, _)) = names[..i].iter().find(|(other, _)| other == name) {
+                // The lists are in the order of the documentation, not of the file.
+                let (first, second) = match first.span().start < name.span().start {
+                    true => (first.span(), name.span()),
+                    false => (name.span(), first.span()),
+                };
+                return Err(self
+                    .fault(
+                        FaultKind::Duplicate,
+                        second,
+                        format!("the name `{}` is given twice", name.get_ref()),
+                        "the second time",
+                    )
+                    .and_at(first, "the first time")
+                    .with_help(
+                        "supports, loads and contacts have different names, so that a [[step]] \
+                         can tell them apart",
+                    )
+                    .into());
+            }
+        }
+        Ok(())
+    }
+
+    fn time(&self, time: Option<&Spanned<f64>>, before: f64) -> Result<f64, CaseError> {
+        let Some(time) = time else {
+            return Ok(before + 1.0);
+        };
+        let end = self.finite("the time", time)?;
+        if end > before {
+            return Ok(end);
+        }
+        Err(self
+            .fault(
+                FaultKind::BadValue,
+                time.span(),
+                "the time does not increase",
+                format!("expected more than {before:?}, found {end:?}"),
+            )
+            .with_help("`time` is the instant of the end of a step; the first step starts at 0")
+            .into())
+    }
+
+    /// `others`: the increments of the steps before.
+    fn increments(
+        &self,
+        increments: Option<&Spanned<usize>>,
+        others: usize,
+    ) -> Result<usize, CaseError> {
+        let Some(increments) = increments else {
+            return Ok(1);
+        };
+        let count = *increments.get_ref();
+        let largest = MAX_INCREMENTS.saturating_sub(others);
+        if (1..=largest).contains(&count) {
+            return Ok(count);
+        }
+        let label = match count {
+            0 => "expected 1 or more, found 0".to_owned(),
+            _ => format!("expected at most {largest}, found {count}"),
+        };
+        Err(self
+            .fault(
+                FaultKind::BadValue,
+                increments.span(),
+                "a step cannot have this number of increments",
+                label,
+            )
+            .with_help(format!(
+                "a case has at most {MAX_INCREMENTS} increments, in each of which the contact \
+                 problem is solved"
+            ))
+            .into())
+    }
+
+    fn named(
+        &self,
+        name: &Spanned<String>,
+        names: &[(&Spanned<String>, Item)],
+    ) -> Result<Item, CaseError> {
+        if let Some((_, item)) = names.iter().find(|(known, _)| *known == name) {
+            return Ok(*item);
+        }
+        let all: Vec<&str> = names
+            .iter()
+            .map(|(name, _)| name.get_ref().as_str())
+            .collect();
+        Err(self
+            .fault(
+                FaultKind::BadReference,
+                name.span(),
+                format!("no support, load or contact is called `{}`", name.get_ref()),
+                match nearest(name.get_ref(), all.iter().copied()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => "expected the `name` of a support, load or contact".to_owned(),
+                },
+            )
+            .with_help(match all.as_slice() {
+                [] => "none of them has a name in this file: give it a key `name`".to_owned(),
+                _ => format!("the names of this case are {}", listed(&all)),
+            })
+            .into())
+    }
+
+    fn set_factor(
+        &self,
+        item: Item,
+        name: &Spanned<String>,
+        factor: &Spanned<f64>,
+        loading: &Loading<'_>,
+        amounts: &mut Amounts,
+    ) -> Result<(), CaseError> {
+        let number = self.finite("the factor", factor)?;
+        match item {
+            Item::Support(i) => {
+                amounts.supports[i] = loading.supports[i]
+                    .displacement
+                    .map(|u| u.map(|u| u.times(number)));
+            }
+            Item::Traction(i) => amounts.tractions[i] = Amount::Factor(number),
+            Item::Pressure(i) => amounts.pressures[i] = Amount::Factor(number),
+            Item::BodyForce(i) => amounts.body_forces[i] = Amount::Factor(number),
+            Item::Gravity(i) => amounts.gravities[i] = Amount::Factor(number),
+            Item::Contact(i) => {
+                self.has_bound(name, &loading.contacts[i])?;
+                let help = "the slip bound is multiplied by it";
+                self.not_negative("the factor of a slip bound", factor, help)?;
+                amounts.bounds[i] = Amount::Factor(number);
+            }
+        }
+        Ok(())
+    }
+
+    fn set_value(
+        &self,
+        item: Item,
+        name: &Spanned<String>,
+        value: &Spanned<ValueKeys>,
+        loading: &Loading<'_>,
+        amounts: &mut Amounts,
+    ) -> Result<(), CaseError> {
+        match item {
+            Item::Support(i) => {
+                let new = self.new_displacement(name, value, &loading.supports[i])?;
+                for (component, new) in amounts.supports[i].iter_mut().zip(new) {
+                    *component = new.or(*component);
+                }
+            }
+            Item::Traction(i) => {
+                amounts.tractions[i] =
+                    Amount::Value(self.new_vector("the traction", name, value)?);
+            }
+            Item::Pressure(i) => {
+                let number = self.new_number(name, value)?;
+                amounts.pressures[i] = Amount::Value(self.finite("the pressure", &number)?);
+            }
+            Item::BodyForce(i) => {
+                let vector = self.new_vector("the body force", name, value)?;
+                amounts.body_forces[i] = Amount::Value(vector);
+            }
+            Item::Gravity(i) => {
+                let vector = self.new_vector("the acceleration", name, value)?;
+                amounts.gravities[i] = Amount::Value(vector);
+            }
+            Item::Contact(i) => {
+                let contact = &loading.contacts[i];
+                self.has_bound(name, contact)?;
+                if matches!(contact.friction, Friction::Orthotropic { .. }) {
+                    return Err(self
+                        .fault(
+                            FaultKind::WrongType,
+                            value.span(),
+                            format!("`{}` has two slip bounds", name.get_ref()),
+                            "expected a factor for both",
+                        )
+                        .with_help(format!("write `factors = {{ {} = … }}`", name.get_ref()))
+                        .into());
+                }
+                let number = self.new_number(name, value)?;
+                let help = "it takes the place of the slip bound";
+                let bound = self.not_negative("the slip bound", &number, help)?;
+                amounts.bounds[i] = Amount::Value(bound);
+            }
+        }
+        Ok(())
+    }
+
+    fn has_bound(&self, name: &Spanned<String>, contact: &Contact) -> Result<(), CaseError> {
+        match &contact.friction {
+            Friction::Tresca { .. }
+            | Friction::Orthotropic { .. }
+            | Friction::Bilateral { bound: Some(_) } => Ok(()),
+            other => Err(self
+                .fault(
+                    FaultKind::BadReference,
+                    name.span(),
+                    format!("the contact `{}` has no slip bound", name.get_ref()),
+                    format!("its law is `{}`", other.law()),
+                )
+                .and_at(contact.span.clone(), "the contact")
+                .with_help(
+                    "a [[step]] changes the slip bounds of `tresca`, `orthotropic` and `bilateral`",
+                )
+                .into()),
+        }
+    }
+
+    fn new_displacement(
+        &self,
+        name: &Spanned<String>,
+        value: &Spanned<ValueKeys>,
+        support: &Support,
+    ) -> Result<[Option<f64>; 3], CaseError> {
+        let ValueKeys::Components(keys) = value.get_ref() else {
+            return Err(self.other_value(name, value, "a table `{ x = …, y = … }`", "a support"));
+        };
+        let keys = [&keys.x, &keys.y, &keys.z].map(Clone::clone);
+        let spans = keys.each_ref().map(|key| key.as_ref().map(Spanned::span));
+        let new = self.displacement(keys)?;
+        for ((axis, span), held) in ["x", "y", "z"].iter().zip(spans).zip(support.displacement) {
+            let (Some(span), None) = (span, held) else {
+                continue;
+            };
+            return Err(self
+                .fault(
+                    FaultKind::BadReference,
+                    span,
+                    format!("the support `{}` does not hold {axis}", name.get_ref()),
+                    "a component that is free in the other steps",
+                )
+                .and_at(support.span.clone(), "the support")
+                .with_help("what is held stays the same in all steps; only the values change")
+                .into());
+        }
+        Ok(new)
+    }
+
+    fn new_vector(
+        &self,
+        what: &str,
+        name: &Spanned<String>,
+        value: &Spanned<ValueKeys>,
+    ) -> Result<[f64; 3], CaseError> {
+        match value.get_ref() {
+            ValueKeys::List(list) => self.vector(what, &Spanned::new(value.span(), list.clone())),
+            _ => Err(self.other_value(name, value, "a list of numbers", "a vector")),
+        }
+    }
+
+    fn new_number(
+        &self,
+        name: &Spanned<String>,
+        value: &Spanned<ValueKeys>,
+    ) -> Result<Spanned<f64>, CaseError> {
+        match value.get_ref() {
+            ValueKeys::Number(number) => Ok(Spanned::new(value.span(), *number)),
+            _ => Err(self.other_value(name, value, "a number", "a pressure or slip bound")),
+        }
+    }
+
+    fn other_value(
+        &self,
+        name: &Spanned<String>,
+        value: &Spanned<ValueKeys>,
+        expected: &str,
+        kind: &str,
+    ) -> CaseError {
+        let found = match value.get_ref() {
+            ValueKeys::Number(_) => "a number",
+            ValueKeys::List(_) => "a list",
+            ValueKeys::Components(_) => "a table",
+        };
+        self.fault(
+            FaultKind::WrongType,
+            value.span(),
+            format!("expected {expected} for `{}`", name.get_ref()),
+            format!("found {found}"),
+        )
+        .and_at(name.span(), kind)
+        .into()
+    }
+
+    fn no_way_between(&self, place: Span) -> CaseError {
+        self.fault(
+            FaultKind::BadValue,
+            place,
+            "there is no way from the step before to this one in increments",
+            "from a multiple of something that varies to a constant, or back",
+        )
+        .with_help("use factors in both steps, or a single increment")
+        .into()
+    }
+}
