@@ -88,7 +88,7 @@ fn solve_writes_everything_and_says_converged() {
 
     let summary = scene.summary("out/small");
     assert_eq!(summary["status"], "converged");
-    assert_eq!(summary["contact"]["pairs"], 49);
+    assert_eq!(summary["steps"][0]["contact"]["pairs"], 49);
     assert_eq!(summary["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(summary["settings"]["tolerance"], 1e-8);
     for key in [
@@ -96,16 +96,16 @@ fn solve_writes_everything_and_says_converged() {
         "/iterations",
         "/n_a",
         "/n_a_setup",
-        "/relative_reduced_gradient",
-        "/dual_objective",
-        "/contact/closed",
-        "/contact/stick",
-        "/contact/slip",
-        "/contact/normal_force_sum",
-        "/contact/max_slip_component",
-        "/contact/max_gap",
-        "/certificate/equilibrium",
-        "/certificate/duality_gap",
+        "/steps/0/relative_reduced_gradient",
+        "/steps/0/dual_objective",
+        "/steps/0/contact/closed",
+        "/steps/0/contact/stick",
+        "/steps/0/contact/slip",
+        "/steps/0/contact/normal_force_sum",
+        "/steps/0/contact/max_slip_component",
+        "/steps/0/contact/max_gap",
+        "/steps/0/certificate/equilibrium",
+        "/steps/0/certificate/duality_gap",
         "/times/assembly",
         "/times/factorization",
         "/times/solve",

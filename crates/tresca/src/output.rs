@@ -1,21 +1,22 @@
 //! The result files of a run.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
-use tresca_fem::mesh::{CellKind, Mesh};
+use tresca_fem::mesh::Mesh;
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
 use tresca_io::history::History;
 use tresca_io::pvd::{self, Part};
 use tresca_io::results::{BodyFields, ContactFields};
-use tresca_io::vtu::{CellShape, Cells, Fact};
+use tresca_io::case::LAWS;
+use tresca_io::vtu::{CellShape, Cells, Fact, Field, Values};
 use tresca_io::{WriteError, summary};
-use tresca_qcqp::IterationRecord;
 
-use crate::model::Model;
-use crate::outcome::{Outcome, PairState};
+use crate::model::{Body, Model};
+use crate::outcome::{Outcome, PairState, StepOutcome};
 use crate::{Summary, VERSION};
 
 /// Name of the file with the contact fields.
@@ -50,7 +51,8 @@ impl Destination {
         })
     }
 
-    /// Writes all files of a run: `<body>.vtu`, `contact.vtu`, `<name>.pvd` that opens them together,
+    /// Writes all files of a run: `<body>.vtu` and `contact.vtu` (of a case with several load steps
+    /// `<body>_0001.vtu` and so on for each), `<name>.pvd` that opens them together as a time series,
     /// `history.csv` and `summary.json`. All of them appear, or none: earlier results stay as they
     /// were when anything fails.
     ///
@@ -64,48 +66,43 @@ impl Destination {
     ) -> Result<Summary, WriteError> {
         let begin = Instant::now();
         let mut files = OutputSet::new(self.directory)?;
-        let facts = facts(model, outcome);
-        let stresses: Vec<Vec<[f64; 6]>> = model
-            .bodies()
-            .par_iter()
-            .zip(&outcome.displacements)
-            .map(|(body, u)| stress::recover(&body.mesh, &body.material, u))
-            .collect();
         let mut parts = Vec::new();
-        for ((body, u), stress) in model
-            .bodies()
-            .iter()
-            .zip(&outcome.displacements)
-            .zip(&stresses)
-        {
-            let file = format!("{}.vtu", body.name);
-            let von_mises: Vec<f64> = stress.iter().map(|&s| stress::von_mises(s)).collect();
-            let fields = BodyFields {
-                mesh: &body.mesh,
-                displacement: u,
-                stress,
-                von_mises: &von_mises,
-                facts: facts.clone(),
+        for step in &outcome.steps {
+            let suffix = match outcome.planned_steps {
+                1 => String::new(),
+                _ => format!("_{:04}", step.number),
             };
-            files.stage(&file, |out| fields.write(out))?;
-            parts.push((body.name.clone(), file));
+            let facts = facts(model, outcome, step);
+            let mut stage = |part: &str, write: &dyn Fn(&mut dyn Write) -> Result<(), WriteError>| {
+                let file = format!("{part}{suffix}.vtu");
+                files.stage(&file, |out| write(out))?;
+                parts.push((part.to_owned(), file, step.time));
+                Ok::<(), WriteError>(())
+            };
+            let stresses: Vec<Vec<[f64; 6]>> = model
+                .bodies()
+                .par_iter()
+                .zip(&step.displacements)
+                .map(|(body, u)| stress::recover(&body.mesh, &body.material, u))
+                .collect();
+            for (index, (body, stress)) in model.bodies().iter().zip(&stresses).enumerate() {
+                stage(&body.name, &|out| {
+                    write_body(body, index, step, stress, facts.clone(), out)
+                })?;
+            }
+            stage(CONTACT, &|out| write_contact(model, step, facts.clone(), out))?;
         }
-        let file = format!("{CONTACT}.vtu");
-        files.stage(&file, |out| write_contact(model, outcome, facts, out))?;
-        parts.push((CONTACT.to_owned(), file));
-        files.stage("history.csv", |out| {
-            history(&outcome.solution.records)?.write(out)
-        })?;
+        files.stage("history.csv", |out| history(outcome)?.write(out))?;
         let parts: Vec<_> = parts
             .iter()
-            .map(|(name, file)| Part {
+            .map(|(name, file, time)| Part {
                 name,
                 file,
-                time: 0.0,
+                time: *time,
             })
             .collect();
         files.stage(&format!("{name}.pvd"), |out| pvd::write(out, &parts))?;
-        let result = Summary::new(model.title(), outcome, begin.elapsed().as_secs_f64());
+        let result = Summary::new(model, outcome, begin.elapsed().as_secs_f64());
         files.stage("summary.json", |out| summary::write(out, &result))?;
         files.commit()?;
         Ok(result)
@@ -113,9 +110,10 @@ impl Destination {
 }
 
 /// What every result file says about its origin.
-fn facts(model: &Model, outcome: &Outcome) -> Vec<(String, Fact)> {
-    let solution = &outcome.solution;
+fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, Fact)> {
+    let solution = &step.solution;
     let text = |name: &str, value: String| (name.to_owned(), Fact::Text(value));
+    let number = |name: &str, value: f64| (name.to_owned(), Fact::Numbers(vec![value]));
     let count = |name: &str, value: usize| {
         (
             name.to_owned(),
@@ -128,22 +126,23 @@ fn facts(model: &Model, outcome: &Outcome) -> Vec<(String, Fact)> {
         text("status", solution.status.to_string()),
         text("method", solution.method.to_string()),
         text("settings", format!("{:?}", outcome.settings)),
-        (
-            "converged".to_owned(),
-            Fact::Integers(vec![i64::from(outcome.converged())]),
-        ),
+        count("converged", usize::from(step.converged())),
+        count("step", step.number),
+        number("time", step.time),
         count("iterations", solution.iterations),
         count("n_a", solution.n_a),
-        (
-            "relative_reduced_gradient".to_owned(),
-            Fact::Numbers(vec![solution.relative_reduced_gradient]),
+        number(
+            "relative_reduced_gradient",
+            solution.relative_reduced_gradient,
         ),
     ]
 }
 
-fn history(records: &[IterationRecord]) -> Result<History, WriteError> {
+fn history(outcome: &Outcome) -> Result<History, WriteError> {
     let mut table = History::new(&[
+        "step",
         "iteration",
+        "outer",
         "relative_reduced_gradient",
         "dual_objective",
         "decrease",
@@ -156,81 +155,124 @@ fn history(records: &[IterationRecord]) -> Result<History, WriteError> {
         "n_a",
         "step_length",
     ]);
-    for record in records {
-        let counts = record.counts;
-        table.push(&[
-            record.iteration.into(),
-            record.relative_reduced_gradient.into(),
-            record.objective.into(),
-            record.decrease.into(),
-            counts.open.into(),
-            counts.closed.into(),
-            counts.stick.into(),
-            counts.slip.into(),
-            record.set_changes.into(),
-            record.inner_iterations.into(),
-            record.n_a.into(),
-            record.step_length.into(),
-        ])?;
+    for step in &outcome.steps {
+        for record in &step.solution.records {
+            let counts = record.counts;
+            table.push(&[
+                step.number.into(),
+                record.iteration.into(),
+                record.outer.into(),
+                record.relative_reduced_gradient.into(),
+                record.objective.into(),
+                record.decrease.into(),
+                counts.open.into(),
+                counts.closed.into(),
+                counts.stick.into(),
+                counts.slip.into(),
+                record.set_changes.into(),
+                record.inner_iterations.into(),
+                record.n_a.into(),
+                record.step_length.into(),
+            ])?;
+        }
     }
     Ok(table)
 }
 
+fn write_body(
+    body: &Body,
+    index: usize,
+    step: &StepOutcome,
+    stress: &[[f64; 6]],
+    facts: Vec<(String, Fact)>,
+    out: &mut dyn Write,
+) -> Result<(), WriteError> {
+    let von_mises: Vec<f64> = stress.iter().map(|&s| stress::von_mises(s)).collect();
+    let motion: Option<Vec<[f64; 3]>> = step.unresisted.as_ref().map(|motion| {
+        let of_node = |u: &[f64]| [u[0], u[1], u.get(2).copied().unwrap_or(0.0)];
+        let nodes = motion.displacements[index].chunks_exact(body.mesh.dimension());
+        nodes.map(of_node).collect()
+    });
+    BodyFields {
+        mesh: &body.mesh,
+        displacement: &step.displacements[index],
+        stress,
+        von_mises: &von_mises,
+        extra: motion
+            .iter()
+            .map(|motion| Field::new("unresisted_motion", Values::Vectors(motion)))
+            .collect(),
+        facts,
+    }
+    .write(out)
+}
+
 fn write_contact(
     model: &Model,
-    outcome: &Outcome,
+    step: &StepOutcome,
     facts: Vec<(String, Fact)>,
-    out: &mut dyn std::io::Write,
+    out: &mut dyn Write,
 ) -> Result<(), WriteError> {
     let mut index = Vec::new();
-    let mut quads = Vec::new();
+    let mut laws = Vec::new();
+    // Lines, triangles and quadrilaterals between the pairs.
+    let mut cells: [(CellShape, Vec<usize>); 3] = [
+        (CellShape::Line, Vec::new()),
+        (CellShape::Triangle, Vec::new()),
+        (CellShape::Quad, Vec::new()),
+    ];
     let mut first = 0;
-    for (number, (contact, pairs)) in model.contacts().iter().zip(&outcome.contacts).enumerate() {
-        index.resize(
-            index.len() + pairs.len(),
-            i32::try_from(number).unwrap_or(i32::MAX),
-        );
+    for (number, (contact, pairs)) in model.contacts().iter().zip(&step.contacts).enumerate() {
+        let end = index.len() + pairs.len();
+        index.resize(end, i32::try_from(number).unwrap_or(i32::MAX));
+        let law = LAWS.iter().position(|law| *law == contact.friction.name());
+        laws.resize(end, law.and_then(|law| u8::try_from(law).ok()).unwrap_or(u8::MAX));
         let mesh = &model.bodies()[contact.slave.body].mesh;
         let point_of_node = points_of_nodes(mesh, pairs, first);
         for &face in model.faces(&contact.slave) {
-            if mesh.face_kind(face) != CellKind::Quad4 {
-                continue;
-            }
-            let points: Option<Vec<usize>> = mesh
-                .face_nodes(face)
-                .into_iter()
-                .map(|node| point_of_node[node])
-                .collect();
+            let shape = CellShape::from(mesh.face_kind(face));
+            let nodes = mesh.face_nodes(face).into_iter();
+            let points: Option<Vec<usize>> = nodes.map(|node| point_of_node[node]).collect();
             // A face with a pair that was left out (both nodes held) is not shown.
-            quads.extend(points.into_iter().flatten());
+            if let (Some((_, cells)), Some(points)) =
+                (cells.iter_mut().find(|(own, _)| *own == shape), points)
+            {
+                cells.extend(points);
+            }
         }
         first += pairs.len();
     }
-    fn column<T>(outcome: &Outcome, value: impl Fn(&PairState) -> T) -> Vec<T> {
-        outcome.pairs().map(value).collect()
+    let pairs: Vec<&PairState> = step.pairs().collect();
+    fn column<T>(pairs: &[&PairState], value: impl Fn(&PairState) -> T) -> Vec<T> {
+        pairs.iter().map(|pair| value(pair)).collect()
     }
-    let faces = if quads.is_empty() {
-        Vec::new()
-    } else {
-        vec![Cells {
-            shape: CellShape::Quad,
-            connectivity: &quads,
-        }]
-    };
+    let increment = column(&pairs, |state| {
+        let [a, b] = state.local_slip_increment;
+        state.pair.frame.to_global([0.0, a, b])
+    });
+    let largest_bound = |state: &PairState| state.slip_bounds.map_or(0.0, |[a, b]| a.max(b));
+    let faces = cells.iter().filter(|(_, points)| !points.is_empty());
     ContactFields {
-        points: &column(outcome, |state| state.pair.point),
-        faces,
+        points: &column(&pairs, |state| state.pair.point),
+        faces: faces
+            .map(|(shape, points)| Cells {
+                shape: *shape,
+                connectivity: points,
+            })
+            .collect(),
         pair: &index,
-        normal: &column(outcome, |state| state.pair.frame.normal),
-        normal_force: &column(outcome, |state| state.normal_force),
-        contact_pressure: &column(outcome, PairState::pressure),
-        tangential_force: &column(outcome, |state| state.friction_force),
-        tangential_traction: &column(outcome, PairState::friction_traction),
-        slip_bound: &column(outcome, |state| state.pair.slip_bound),
-        gap: &column(outcome, |state| state.gap),
-        slip: &column(outcome, |state| state.slip),
-        closed: &column(outcome, |state| state.closed),
-        sticking: &column(outcome, |state| state.stick),
+        normal: &column(&pairs, |state| state.pair.frame.normal),
+        normal_force: &column(&pairs, |state| state.normal_force),
+        contact_pressure: &column(&pairs, PairState::pressure),
+        tangential_force: &column(&pairs, |state| state.friction_force),
+        tangential_traction: &column(&pairs, PairState::friction_traction),
+        slip_bound: &column(&pairs, largest_bound),
+        gap: &column(&pairs, |state| state.gap),
+        slip: &column(&pairs, |state| state.slip),
+        closed: &column(&pairs, |state| state.closed),
+        sticking: &column(&pairs, |state| state.stick),
+        friction_law: Some(&laws),
+        extra: vec![Field::new("slip_increment", Values::Vectors(&increment))],
         facts,
     }
     .write(out)

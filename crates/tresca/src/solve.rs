@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use serde::Serialize;
+use tresca_contact::Sliding;
 use tresca_la::vector::dot;
-use tresca_qcqp::{DualProblem, Settings, Solution, Status};
+use tresca_qcqp::{DualProblem, Settings, Solution, Start, Status};
 
 use crate::assemble::{Assembled, assemble};
 use crate::certificate::{Candidate, certify};
@@ -14,6 +15,7 @@ use crate::dual::{
     full_displacements,
 };
 use crate::floating::{add_motions, load_on_motions, unresisted};
+use crate::layout::Layout;
 use crate::load_step::{Acting, acting};
 use crate::model::Step;
 use crate::outcome::{Outcome, StepOutcome, Times, pair_states};
@@ -130,10 +132,40 @@ pub fn prepare(
 
 /// Where the step before left the contact.
 struct State {
-    /// The solver's unknowns and the slip bounds they belong to; `None` before the first step.
-    start: Option<Start>,
     /// B u.
     relative: Vec<f64>,
+    /// The solver's unknowns μ and α with the laws they belong to; `None` before the first step.
+    solved: Option<Solved>,
+}
+
+struct Solved {
+    mu: Vec<f64>,
+    multiplier: Vec<f64>,
+    slidings: Vec<Sliding>,
+}
+
+impl Solved {
+    /// μ as a start for other slip bounds: friction forces grow and shrink with their bounds, or the
+    /// start would be worse than none.
+    fn start(&self, layout: &Layout, slidings: &[Sliding]) -> Vec<f64> {
+        let mut mu = self.mu.clone();
+        let m = layout.pair_count();
+        let tangents = layout.unknowns() / m - 1;
+        for (i, (old, new)) in self.slidings.iter().zip(slidings).enumerate() {
+            let largest = |sliding: &Sliding| match sliding {
+                Sliding::Bounded([a, b]) => Some(a.max(*b)),
+                Sliding::Never | Sliding::Coulomb { .. } => None,
+            };
+            if let (Some(old), Some(new)) = (largest(old), largest(new))
+                && old > 0.0
+                && old != new
+            {
+                let first = m + tangents * i;
+                mu[first..first + tangents].iter_mut().for_each(|x| *x *= new / old);
+            }
+        }
+        mu
+    }
 }
 
 impl Prepared {
@@ -157,8 +189,8 @@ impl Prepared {
             steps => steps,
         };
         let mut state = State {
-            start: None,
             relative: vec![0.0; self.assembled.layout.unknowns()],
+            solved: None,
         };
         let mut outcome = Outcome {
             description: self.description.clone(),
@@ -206,7 +238,11 @@ impl Prepared {
 
         let begin = Instant::now();
         let mut observer = |record: &tresca_qcqp::IterationRecord| progress.iteration(record);
-        let start = state.start.as_ref();
+        let before = state.solved.as_ref().map(|solved| {
+            let mu = solved.start(&self.assembled.layout, &acting.slidings);
+            (mu, &solved.multiplier)
+        });
+        let start = before.as_ref().map(|(lambda, multiplier)| Start { lambda, multiplier });
         let solution = tresca_qcqp::solve(&mut self.dual, settings, start, &mut observer)?;
         times.solve += begin.elapsed().as_secs_f64();
 
@@ -282,7 +318,11 @@ impl Prepared {
         let motion = solution.motion.as_deref().filter(|_| no_equilibrium);
         let unresisted = motion.map(|v| unresisted(model, assembled, v));
         state.relative = relative;
-        state.start = Some(Start::of(&solution));
+        state.solved = Some(Solved {
+            mu: solution.lambda.clone(),
+            multiplier: solution.multiplier.clone(),
+            slidings: acting.slidings.clone(),
+        });
         Ok(StepOutcome {
             number: 1,
             time: step.time,

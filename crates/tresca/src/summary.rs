@@ -130,25 +130,6 @@ pub struct ContactMotion {
 }
 
 /// The contact in figures.
-    pub contact: ContactSummary,
-    /// Independent check of the result.
-    pub certificate: Certificate,
-    /// Seconds.
-    pub times: TimesSummary,
-    /// Peak memory of the process.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub peak_memory_bytes: Option<u64>,
-    /// Engine and why.
-    pub engine: EngineChoice,
-    /// Nonzeros, flops and time of the factorisation.
-    pub factorization: FactorSummary,
-    /// Threads.
-    pub threads: usize,
-    /// All settings, resolved.
-    pub settings: Settings,
-}
-
-/// The contact in figures.
 #[derive(Debug, Clone, Serialize)]
 pub struct ContactSummary {
     /// Contact pairs.

@@ -220,7 +220,7 @@ fn again(prepared: &mut Prepared, model: &Model, settings: &Settings) -> miette:
 }
 
 fn print_row(outcome: &Outcome, published: Option<(usize, usize)>) -> bool {
-    let solution = &outcome.solution;
+    let solution = &outcome.last().solution;
     let name = format!("{} {:.0e}", solution.method, outcome.settings.tolerance);
     let ours = format!(
         "{} / {}",

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use tresca::model::Step;
 use tresca::{Description, IterationRecord, Progress, Stage};
 
 use super::format::grouped;
@@ -95,9 +96,26 @@ impl Progress for Monitor {
                 work.gigaflops_per_second()
             );
         }
+        if description.rigid_motions > 0 {
+            println!(
+                "{} rigid motions are not held by supports: contact has to hold them",
+                description.rigid_motions
+            );
+        }
+    }
+
+    fn step(&mut self, number: usize, count: usize, step: &Step) {
+        if !self.print {
+            return;
+        }
+        if count > 1 {
+            let name = step.name.as_deref().unwrap_or("");
+            println!("\nload step {number} of {count}, time {} {name}", step.time);
+        }
         println!(
-            "\n{:>4} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
+            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
             "k",
+            "outer",
             "rel. grad.",
             "q",
             "decrease",
@@ -116,8 +134,9 @@ impl Progress for Monitor {
         if self.print {
             let counts = record.counts;
             println!(
-                "{:>4} {:>12.4e} {:>16.9e} {:>10.2e} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6.3}",
+                "{:>4} {:>5} {:>12.4e} {:>16.9e} {:>10.2e} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6.3}",
                 record.iteration,
+                record.outer,
                 record.relative_reduced_gradient,
                 record.objective,
                 record.decrease,

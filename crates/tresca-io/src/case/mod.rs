@@ -61,6 +61,7 @@ pub use samples::Samples;
 pub use source::{CaseSource, Span};
 pub use steps::{Amount, Amounts, MAX_INCREMENTS, Quantity, Step};
 pub use surface::Surface;
+pub use toml::Spanned;
 pub use values::MAX_NODES;
 
 /// A case file whose names are resolved and whose values are possible. `S` holds the solver's

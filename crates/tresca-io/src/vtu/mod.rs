@@ -73,6 +73,7 @@ impl From<CellKind> for CellShape {
     fn from(kind: CellKind) -> Self {
         match kind {
             CellKind::Line2 => CellShape::Line,
+            CellKind::Tri3 => CellShape::Triangle,
             CellKind::Quad4 => CellShape::Quad,
             CellKind::Hex8 => CellShape::Hexahedron,
         }
