@@ -15,6 +15,16 @@ pub enum QcqpError {
         /// Length found.
         found: usize,
     },
+    /// Two parts of the equality constraint have different sizes.
+    #[error("{what} has length {found}, but the equality constraint has {expected} rows")]
+    Rows {
+        /// Which part.
+        what: &'static str,
+        /// Number of rows of G.
+        expected: usize,
+        /// Length found.
+        found: usize,
+    },
     /// A NaN or an infinity in the input.
     #[error("{what} holds {value} at index {index}: every entry must be finite")]
     NotFinite {
@@ -49,6 +59,23 @@ pub enum QcqpError {
         /// The bound.
         value: f64,
     },
+    /// A bound for a block that has none.
+    #[error("block {block} of the feasible set is no interval and no disc: it has no bound")]
+    NoBound {
+        /// The block, counted from 0.
+        block: usize,
+    },
+    /// Coulomb's law for a block that does not fit, or with data out of range.
+    #[error("coulomb bound {bound}: {what}")]
+    Coulomb {
+        /// Which one, counted from 0.
+        bound: usize,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// The metric of the equality constraint is no symmetric positive definite matrix.
+    #[error("the metric of the equality constraint is not symmetric positive definite")]
+    Metric,
     /// A setting outside its range.
     #[error("setting `{name}` is {value}, allowed is {allowed}")]
     Setting {

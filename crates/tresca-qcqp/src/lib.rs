@@ -12,6 +12,14 @@
 //! - [`solve`] runs the [`Method`] named in [`Settings`], tells an [`Observer`] about every
 //!   iteration and returns a [`Solution`] whose [`Status`] says how it ended.
 //!
+//! A problem may have more to it:
+//!
+//! - [`DualProblem::with_equality`]: Gλ = e, the equilibrium of bodies that float ([`Equality`]);
+//! - [`DualProblem::with_coulomb`]: slip bounds that follow from normal forces ([`CoulombBound`]).
+//!
+//! Then problems of the plain kind are solved one after another, on the same A, of which
+//! everything learnt is kept, also from one call of [`solve`] to the next.
+//!
 //! All methods start, measure and stop alike: the reported figure is
 //! ‖r̃(λ)‖/‖r̃(0)‖ at a feasible λ, where r̃(λ) = (λ − P_Λ(λ − ρ r(λ)))/ρ is the
 //! reduced gradient, r(λ) = Aλ − b, P_Λ the projection and ρ = 1/σmax, σmax
@@ -42,10 +50,13 @@
 //! | `lambda`, `gradient` | λ and r(λ) = Aλ − b |
 //! | `y` | λ − ρ r(λ), the point that is projected and whose place decides the active set |
 //! | `rho`, `sigma` | ρ and (an upper estimate of) σmax, the largest eigenvalue of A |
+//! | `alpha`, `beta` | multiplier α of Gλ = e, and the same in coordinates where the metric S is the identity |
 //! | `n_a` | number of multiplications by A |
 //! | `s`, `Z`, `C` | unknowns, basis and curvature of the reduced Newton system (ZᵀAZ + C) s = −Zᵀ(Ax − b) |
 
 mod active_set;
+mod coulomb;
+mod equality;
 mod error;
 mod methods;
 mod observe;
@@ -53,21 +64,26 @@ pub mod operator;
 mod problem;
 mod record;
 mod reduced;
+mod session;
 pub mod sets;
 mod settings;
 mod solution;
 mod solve;
 mod spectrum;
+mod start;
 mod status;
 
 pub use active_set::{ActiveSet, StateCounts};
+pub use coulomb::CoulombBound;
+pub use equality::Equality;
 pub use error::QcqpError;
 pub use observe::{Observer, Silent};
 pub use operator::DualOperator;
 pub use problem::DualProblem;
 pub use record::IterationRecord;
 pub use sets::ProductSet;
-pub use settings::{Engine, InnerSolver, Method, OptionInfo, Settings};
+pub use settings::{CoulombMethod, Engine, InnerSolver, Method, OptionInfo, Settings};
 pub use solution::Solution;
 pub use solve::solve;
+pub use start::Start;
 pub use status::Status;

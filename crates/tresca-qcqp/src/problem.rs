@@ -1,17 +1,27 @@
 //! The dual problem.
 
+use crate::coulomb::CoulombLaw;
+use crate::equality::Balance;
 use crate::error::check_vector;
-use crate::{DualOperator, ProductSet, QcqpError};
+use crate::methods::Memory;
+use crate::{CoulombBound, DualOperator, Equality, ProductSet, QcqpError};
 
-/// min ½ λᵀAλ − λᵀb over λ ∈ Λ.
+/// min ½ λᵀAλ − λᵀb over λ ∈ Λ, perhaps with an equality constraint, perhaps with bounds in Λ
+/// that follow from λ (Coulomb's law).
 ///
 /// In contact terms λ are the contact forces, A maps them to relative
 /// displacements, b is the relative displacement (minus the gap) without them,
 /// and r(λ) = Aλ − b is the open gap and the negative slip.
+///
+/// What a solve learns about A (the estimate of σmax, products to precondition with) is kept for
+/// the next one, so that another b or other bounds cost no more than they must.
 pub struct DualProblem {
-    operator: Box<dyn DualOperator>,
-    rhs: Vec<f64>,
-    set: ProductSet,
+    pub(crate) operator: Box<dyn DualOperator>,
+    pub(crate) rhs: Vec<f64>,
+    pub(crate) set: ProductSet,
+    pub(crate) law: CoulombLaw,
+    pub(crate) balance: Option<Balance>,
+    pub(crate) memory: Option<Memory>,
 }
 
 impl DualProblem {
@@ -26,19 +36,65 @@ impl DualProblem {
     ) -> Result<Self, QcqpError> {
         let dim = operator.dim();
         check_vector("the right-hand side b", &rhs, dim)?;
-        if set.dimension() != dim {
-            let (expected, found) = (dim, set.dimension());
-            return Err(QcqpError::Dimension {
-                what: "the feasible set",
-                expected,
-                found,
-            });
-        }
+        check_set(&set, dim)?;
         Ok(Self {
             operator: Box::new(operator),
             rhs,
             set,
+            law: CoulombLaw::default(),
+            balance: None,
+            memory: None,
         })
+    }
+
+    /// Adds the constraint Gλ = e. A must contain GᵀSG and b must contain GᵀSe, as they do when
+    /// K is made regular by K + CCᵀ (then S = (RᵀCCᵀR)⁻¹): the multiplier α of the constraint,
+    /// with r = Aλ − b − Gᵀα, is then the rigid motion.
+    ///
+    /// # Errors
+    /// When sizes differ, an entry is not finite, or S is not symmetric positive definite.
+    pub fn with_equality(mut self, equality: &Equality) -> Result<Self, QcqpError> {
+        self.balance = Some(Balance::new(equality, self.dim())?);
+        Ok(self)
+    }
+
+    /// Lets bounds of Λ follow from normal forces. After a solve [`set`](Self::set) has the bounds
+    /// of the solution.
+    ///
+    /// # Errors
+    /// When a block or an unknown does not exist or does not fit, or a number is out of range.
+    pub fn with_coulomb(mut self, bounds: Vec<CoulombBound>) -> Result<Self, QcqpError> {
+        self.law = CoulombLaw::new(bounds, &self.set)?;
+        Ok(self)
+    }
+
+    /// Another b.
+    ///
+    /// # Errors
+    /// When its length differs or it is not finite.
+    pub fn set_rhs(&mut self, rhs: Vec<f64>) -> Result<(), QcqpError> {
+        check_vector("the right-hand side b", &rhs, self.dim())?;
+        self.rhs = rhs;
+        Ok(())
+    }
+
+    /// Another Λ.
+    ///
+    /// # Errors
+    /// When its dimension differs, or a bound of Coulomb's law no longer finds its block.
+    pub fn set_set(&mut self, set: ProductSet) -> Result<(), QcqpError> {
+        check_set(&set, self.dim())?;
+        self.law = CoulombLaw::new(self.law.bounds_of_blocks().to_vec(), &set)?;
+        self.set = set;
+        Ok(())
+    }
+
+    /// Another e. Without an equality constraint nothing happens.
+    ///
+    /// # Errors
+    /// When its length differs or it is not finite.
+    pub fn set_equality_rhs(&mut self, rhs: &[f64]) -> Result<(), QcqpError> {
+        self.balance.as_mut().map_or(Ok(()), |b| b.set_load(rhs))
     }
 
     /// Number of unknowns.
@@ -66,8 +122,24 @@ impl DualProblem {
         &self.set
     }
 
-    /// The three parts at once, for the methods.
-    pub(crate) fn parts(&mut self) -> (&mut dyn DualOperator, &[f64], &ProductSet) {
-        (&mut *self.operator, &self.rhs, &self.set)
+    /// The bounds that follow from normal forces.
+    pub fn coulomb(&self) -> &[CoulombBound] {
+        self.law.bounds_of_blocks()
+    }
+
+    /// Number of rows of the equality constraint, 0 without one.
+    pub fn equality_rows(&self) -> usize {
+        self.balance.as_ref().map_or(0, |b| b.rows.len())
+    }
+}
+
+fn check_set(set: &ProductSet, expected: usize) -> Result<(), QcqpError> {
+    match set.dimension() {
+        found if found == expected => Ok(()),
+        found => Err(QcqpError::Dimension {
+            what: "the feasible set",
+            expected,
+            found,
+        }),
     }
 }

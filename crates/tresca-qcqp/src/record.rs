@@ -4,14 +4,18 @@ use crate::StateCounts;
 use serde::{Deserialize, Serialize};
 
 /// One line of the iteration table: the feasible iterate λ_k and the step that
-/// led to it. Iteration 0 is the start.
+/// led to it. Iteration 0 is the start. Outer iterations (Coulomb's bounds, the multiplier of an
+/// equality constraint) begin with a record of their own for their start: there `decrease`,
+/// `set_changes`, `inner_iterations` and `step_length` are 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct IterationRecord {
-    /// k.
+    /// k, which runs on over outer iterations.
     pub iteration: usize,
-    /// ‖r̃(λ_k)‖/‖r̃(0)‖ with ρ = 1/σmax.
+    /// Number of the outer iteration, from 0: of the problem with bounds and multiplier held fixed.
+    pub outer: usize,
+    /// ‖r̃(λ_k)‖/‖r̃(0)‖ with ρ = 1/σmax, for the bounds and the multiplier of this outer iteration.
     pub relative_reduced_gradient: f64,
-    /// q(λ_k).
+    /// q(λ_k), less αᵀGλ_k under an equality constraint.
     pub objective: f64,
     /// q(λ_{k−1}) − q(λ_k), computed without cancellation; 0 for k = 0.
     pub decrease: f64,

@@ -1,13 +1,18 @@
-//! One solve from the outside: checks, the estimate of σmax, the method, the outcome.
+//! One solve from the outside: checks, what is to be known of A, the way to the solution, the outcome.
 
+use crate::coulomb::{self, Frictional};
+use crate::equality::{self, Balanced, Reach};
 use crate::error::check_vector;
-use crate::methods::{self, Run};
-use crate::{DualProblem, Observer, QcqpError, Settings, Solution, spectrum};
+use crate::methods::{self, Memory};
+use crate::session::{Ending, Inner, Journal, Session};
+use crate::{DualProblem, Observer, ProductSet, QcqpError, Settings, Solution, Start, spectrum};
+use tresca_la::vector::norm;
 
 /// Solves the problem by the method of the settings.
 ///
-/// `start` is projected onto Λ first; without one the methods start from 0.
-/// The run is deterministic: the same input gives the same iterates.
+/// The λ of `start` is projected onto Λ first; without one the methods start from 0. With a start
+/// the bounds that Λ has count as first guess of those of Coulomb's law.
+/// The run is deterministic: the same input, on a problem with the same past, gives the same iterates.
 ///
 /// # Errors
 /// Only for wrong input: settings out of range, a start of the wrong length or
@@ -17,27 +22,110 @@ use crate::{DualProblem, Observer, QcqpError, Settings, Solution, spectrum};
 pub fn solve(
     problem: &mut DualProblem,
     settings: &Settings,
-    start: Option<&[f64]>,
+    start: Option<Start>,
     observer: &mut dyn Observer,
 ) -> Result<Solution, QcqpError> {
     settings.validate()?;
     if let Some(start) = start {
-        check_vector("the start", start, problem.dim())?;
+        check_vector("the start", start.lambda, problem.dim())?;
+        if !start.multiplier.is_empty() {
+            equality::check_rows("the start", start.multiplier.len(), problem.equality_rows())?;
+            check_vector("the start", start.multiplier, problem.equality_rows())?;
+        }
     }
-    let (operator, rhs, set) = problem.parts();
-    let n_a_before = *operator.counter();
+    let n_a_before = *problem.operator.counter();
+    let mut journal = Journal {
+        records: Vec::new(),
+        problems: 0,
+        n_a_before,
+        n_a_setup: 0,
+    };
+    if let Some(ending) = at_rest(problem) {
+        problem.set = ending.set.clone();
+        return Ok(ending.into_solution(settings, journal, n_a_before, 0.0));
+    }
+    if problem.memory.is_none() {
+        let spectrum = spectrum::estimate(&mut *problem.operator)?;
+        problem.memory = Some(Memory::new(spectrum));
+    }
+    let DualProblem {
+        operator,
+        rhs,
+        set,
+        law,
+        balance,
+        memory: Some(memory),
+    } = problem
+    else {
+        unreachable!("the memory has just been made")
+    };
+    journal.n_a_setup = *operator.counter() - n_a_before;
+    let mut session = Session {
+        operator: &mut **operator,
+        memory,
+        settings,
+        observer,
+        journal,
+    };
+    let tolerance = settings.tolerance;
+    let mut ending = if !law.is_empty() {
+        let frictional = Frictional {
+            rhs,
+            set,
+            law,
+            balance: balance.as_ref(),
+        };
+        coulomb::solve(&mut session, &frictional, start)
+    } else if let Some(balance) = balance {
+        let reach = Reach::frozen(set);
+        let balanced = Balanced {
+            rhs,
+            set,
+            law: None,
+            balance,
+            reach: Some(&reach),
+            tolerance,
+        };
+        let multiplier = balance.coordinates(start.map_or(&[], |s| s.multiplier));
+        equality::solve(
+            &mut session,
+            &balanced,
+            start.map(|s| s.lambda),
+            &multiplier,
+        )
+    } else {
+        session.solve(&Inner::plain(rhs, set, tolerance), start.map(|s| s.lambda))
+    };
+    if let Some(balance) = balance {
+        ending.multiplier = balance.motion(&ending.multiplier);
+        ending.motion = ending.motion.map(|motion| unit(balance.motion(&motion)));
+    }
+    *set = ending.set.clone();
+    Ok(session.into_solution(ending))
+}
 
-    // P(0 + ρ b) = 0 for one ρ is P(0 + ρ b) = 0 for all: 0 solves the problem, no σmax needed.
-    let mut y = rhs.to_vec();
+/// λ = 0 when it solves the problem: P(ρ b) = 0 for one ρ is P(ρ b) = 0 for all, so no σmax is
+/// needed to see it.
+fn at_rest(problem: &DualProblem) -> Option<Ending> {
+    let mut set: ProductSet = problem.set.clone();
+    let nothing = vec![0.0; problem.coulomb().len()];
+    problem.law.bound(&mut set, &nothing);
+    let balanced = problem
+        .balance
+        .as_ref()
+        .is_none_or(|b| b.load.iter().all(|&e| e == 0.0));
+    let mut y = problem.rhs.clone();
     set.project(&mut y);
-    if y.iter().all(|&v| v == 0.0) {
-        return Ok(methods::zero_solution(settings, rhs, set));
+    if !balanced || y.iter().any(|&v| v != 0.0) {
+        return None;
     }
+    let mut ending = methods::zero_ending(&problem.rhs, set);
+    ending.multiplier = vec![0.0; problem.equality_rows()];
+    Some(ending)
+}
 
-    let spectrum = spectrum::estimate(operator)?;
-    let mut run = Run::new(
-        operator, rhs, set, settings, &spectrum, n_a_before, observer,
-    );
-    let status = methods::run(&mut run, &spectrum, start);
-    Ok(run.into_solution(status))
+fn unit(mut motion: Vec<f64>) -> Vec<f64> {
+    let length = norm(&motion);
+    motion.iter_mut().for_each(|v| *v /= length);
+    motion
 }

@@ -9,7 +9,8 @@ use std::fmt;
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Status {
-    /// The relative reduced gradient is at or below the tolerance.
+    /// The relative reduced gradient is at or below the tolerance, and so are the residuals of
+    /// the outer iterations, if there are any.
     Converged,
     /// `max_iterations` were made.
     IterationLimit,
@@ -21,6 +22,14 @@ pub enum Status {
     /// An iterate is no longer finite: the method diverged, or the operator
     /// returned a NaN.
     Diverged,
+    /// Equality constraint: no λ ∈ Λ satisfies it. The loads on a floating body need contact forces
+    /// that can only pull, or friction that is not there;
+    /// [`Solution::motion`](crate::Solution::motion) is the rigid motion that nothing resists.
+    NoEquilibrium,
+    /// Coulomb's law: the bounds return to former values, over and over.
+    CoulombCycles,
+    /// Coulomb's law: the changes of the bounds no longer fall, though no cycle is seen.
+    CoulombDiverges,
 }
 
 impl Status {
@@ -37,6 +46,9 @@ impl Status {
             Status::Stagnated => "stagnated",
             Status::Interrupted => "interrupted",
             Status::Diverged => "diverged",
+            Status::NoEquilibrium => "no_equilibrium",
+            Status::CoulombCycles => "coulomb_cycles",
+            Status::CoulombDiverges => "coulomb_diverges",
         }
     }
 }

@@ -250,7 +250,7 @@ fn wrong_input_is_refused_with_the_place() {
     let error = solve(
         &mut plain.problem(),
         &Settings::default(),
-        Some(&start),
+        Some(start[..].into()),
         &mut Silent,
     )
     .unwrap_err();

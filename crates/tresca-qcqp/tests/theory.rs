@@ -172,7 +172,7 @@ fn grssn_survives_an_estimate_of_the_spectrum_that_is_too_low() {
         };
         let mut problem = DualProblem::new(spike, plain.b.clone(), plain.set.clone()).unwrap();
         let start = normals(&mut problems::rng(seed), n);
-        let solution = solve(&mut problem, &settings, Some(&start), &mut Silent).unwrap();
+        let solution = solve(&mut problem, &settings, Some(start[..].into()), &mut Silent).unwrap();
         assert!(solution.sigma_max < 0.1 * top);
         assert_eq!(solution.status, Status::Converged);
         for record in &solution.records {

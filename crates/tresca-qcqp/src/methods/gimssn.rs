@@ -15,6 +15,7 @@ use tresca_la::krylov::Identity;
 /// From P_Λ(λ − ρ r(λ)), CG on the active unknowns, which stops before an iterate leaves Λ.
 pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let mut precision = AdaptivePrecision::new(run.settings);
+    let set = run.set.clone();
     let mut trial = vec![0.0; start.lambda.len()];
     let mut x = start;
     let mut step = Step::START;
@@ -25,10 +26,9 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         let tolerance = precision.next(run, &x);
         let mut y = run.y(&x);
         let active = run.set.classify(&y);
-        let space = ReducedSpace::free(run.set, &active);
+        let space = ReducedSpace::free(&run.set, &active);
         run.set.project(&mut y);
         x = run.point_unless(y, &x);
-        let set = run.set;
         let stays_inside = |x: &Point, step: &Move| {
             for (trial, (l, d)) in trial.iter_mut().zip(x.lambda.iter().zip(step.direction)) {
                 *trial = l + step.alpha * d;

@@ -7,16 +7,14 @@
 //! q(x); x itself has the guarantee of GIMSSN: globally R-linear.
 
 use super::inner::{Move, conjugate_gradients, direct};
+use super::memory::NewtonMemory;
 use super::preconditioner::Preconditioner;
-use super::recycle::RecycledProducts;
 use super::run::Step;
 use super::{Point, Run};
-use crate::operator::LocalModel;
 use crate::reduced::ReducedSpace;
 use crate::sets::ProductSet;
-use crate::spectrum::Spectrum;
 use crate::{ActiveSet, Status};
-use tresca_la::vector::{dot, norm};
+use tresca_la::vector::norm;
 
 /// Halvings of the Newton step before the projected gradient step is made.
 const MAX_HALVINGS: usize = 3;
@@ -25,12 +23,8 @@ const FORCING_RATIO: f64 = 0.5;
 /// Part of the wanted reduced gradient below which an inner residual is of no use.
 const OVERSOLVING: f64 = 0.3;
 
-pub(super) fn run(run: &mut Run, spectrum: &Spectrum, start: Point) -> Status {
-    let model = calibrated_model(run, spectrum);
-    let mut recycled = RecycledProducts::new(run.settings.recycled_directions);
-    for (v, product) in spectrum.basis.iter().zip(&spectrum.products) {
-        recycled.offer(v, product);
-    }
+pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Status {
+    let NewtonMemory { model, recycled } = memory;
     let mut previous = f64::INFINITY;
     let mut lambda = start;
     let mut step = Step::START;
@@ -38,13 +32,14 @@ pub(super) fn run(run: &mut Run, spectrum: &Spectrum, start: Point) -> Status {
         if let Some(status) = run.judge(&lambda, step) {
             return status;
         }
+        run.follow_coulomb(&lambda);
         let (x, active) = projected_gradient_point(run, &lambda);
-        let space = tangent_space(run.set, &active, &x);
+        let space = tangent_space(&run.set, &active, &x);
         let mut newton = x.clone();
         let inner = if direct(run, &space, &mut newton) {
             1
         } else {
-            let mut preconditioner = Preconditioner::new(&space, &model, &recycled);
+            let mut preconditioner = Preconditioner::new(&space, model, recycled);
             let tolerance = forcing(run, previous) * run.relative * run.reference;
             let keep = |_: &Point, step: &Move| {
                 recycled.offer(step.direction, step.product);
@@ -69,14 +64,6 @@ pub(super) fn run(run: &mut Run, spectrum: &Spectrum, start: Point) -> Status {
     }
 }
 
-/// The operator's model of itself, scaled to fit A on the first Lanczos vector.
-fn calibrated_model(run: &Run, spectrum: &Spectrum) -> LocalModel {
-    let model = run.operator.local_model();
-    let (v, product) = (&spectrum.basis[0], &spectrum.products[0]);
-    let theta = dot(v, product) / model.quadratic(v);
-    model.scaled(theta)
-}
-
 /// x = P_Λ(y) and the active set at y = λ − ρ r(λ).
 ///
 /// q(x) ≤ q(λ) as long as ρ ≤ 2/σmax. The estimate of σmax is an upper bound
@@ -87,17 +74,33 @@ fn projected_gradient_point(run: &mut Run, lambda: &Point) -> (Point, ActiveSet)
         let active = run.set.classify(&y);
         run.set.project(&mut y);
         let x = run.point_unless(y, lambda);
-        let rises = x.objective_change_from(lambda) > rounding(run, lambda, &x);
-        if !rises {
+        let fails = if run.follows_coulomb() {
+            curves_too_much(lambda, &x, run.rho)
+        } else {
+            x.objective_change_from(lambda) > rounding(run, lambda, &x)
+        };
+        if !fails {
             return (x, active);
         }
         run.rho *= 0.5;
     }
 }
 
+/// dᵀAd > (2/ρ) ‖d‖² on the step d = x − λ: ρ is above 2/σmax. For bounds that have just
+/// changed this replaces the descent of q, which a λ outside of the new Λ cannot promise.
+fn curves_too_much(lambda: &Point, x: &Point, rho: f64) -> bool {
+    let (mut square, mut curvature) = (0.0, 0.0);
+    for i in 0..lambda.lambda.len() {
+        let step = x.lambda[i] - lambda.lambda[i];
+        square += step * step;
+        curvature += step * (x.gradient[i] - lambda.gradient[i]);
+    }
+    curvature > 2.0 * (1.0 + 1e-8) / rho * square
+}
+
 /// Z and C at x, where slipping pairs are on their circles: c̃ = max(−n̂ᵀr, 0)/g
 /// with the normal n̂ = x/g, the slip per friction force there.
-fn tangent_space(set: &ProductSet, active: &ActiveSet, x: &Point) -> ReducedSpace {
+pub(super) fn tangent_space(set: &ProductSet, active: &ActiveSet, x: &Point) -> ReducedSpace {
     let Point { lambda, gradient } = x;
     ReducedSpace::with_tangents(set, active, lambda, |i, bound| {
         let radial = (lambda[i] * gradient[i] + lambda[i + 1] * gradient[i + 1]) / bound;
@@ -115,7 +118,7 @@ fn forcing(run: &Run, previous: f64) -> f64 {
         f64::INFINITY
     };
     let wanted = f64::min(run.settings.forcing, FORCING_RATIO * rate);
-    wanted.max(OVERSOLVING * run.settings.tolerance / run.relative)
+    wanted.max(OVERSOLVING * run.tolerance / run.relative)
 }
 
 /// The first of P_Λ(x + α(newton − x)), α = 1, ½, …, that does not raise q above

@@ -48,7 +48,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         let tolerance = precision.next(run, &x);
         let y = run.y(&x);
         let active = run.set.classify(&y);
-        let space = ReducedSpace::free(run.set, &active);
+        let space = ReducedSpace::free(&run.set, &active);
         let fixed = run.with_bound_blocks_fixed(&x.lambda, &active, &y);
         x = run.point_unless(fixed, &x);
         let identity = &mut Identity(space.dim());

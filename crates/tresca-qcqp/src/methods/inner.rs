@@ -1,6 +1,7 @@
 //! Solving the reduced Newton system (ZᵀAZ + C) s = −Zᵀ r(x).
 
 use super::{Point, Run};
+use crate::DualOperator;
 use crate::reduced::{ReducedOperator, ReducedSpace};
 use crate::settings::InnerSolver;
 use faer::linalg::solvers::{Llt, Solve};
@@ -67,20 +68,26 @@ pub(super) fn conjugate_gradients<M: LinearOperator>(
 /// Up to this order factoring the active block costs less than a few multiplications.
 const SMALL: usize = 300;
 
-/// Solves the system by Cholesky when A is explicit and the settings allow it,
-/// at the price of one multiplication for the new gradient. `false`, and `x`
-/// unchanged, when that is not so or the block is not positive definite.
-pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool {
-    let wanted = match run.settings.inner_solver {
+/// The factor of ZᵀAZ + C when A is explicit and the settings allow it; `None` when that is not
+/// so or the matrix is not positive definite.
+pub(super) fn direct_factor(
+    operator: &dyn DualOperator,
+    solver: InnerSolver,
+    space: &ReducedSpace,
+) -> Option<Llt<f64>> {
+    let wanted = match solver {
         InnerSolver::Auto => space.dim() <= SMALL,
         InnerSolver::Iterative => false,
         InnerSolver::Direct => true,
     };
-    let explicit = run.operator.explicit();
-    let Some(matrix) = explicit.filter(|_| wanted && space.dim() > 0) else {
-        return false;
-    };
-    let Ok(factor) = Llt::new(space.assemble(matrix).as_ref(), Side::Lower) else {
+    let matrix = operator.explicit().filter(|_| wanted && space.dim() > 0)?;
+    Llt::new(space.assemble(matrix).as_ref(), Side::Lower).ok()
+}
+
+/// Solves the system by Cholesky where [`direct_factor`] has one, at the price of one
+/// multiplication for the new gradient. `false`, and `x` unchanged, where it has none.
+pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool {
+    let Some(factor) = direct_factor(run.operator, run.settings.inner_solver, space) else {
         return false;
     };
     let mut s = residual(space, x);
@@ -98,7 +105,7 @@ pub(super) fn direct(run: &mut Run, space: &ReducedSpace, x: &mut Point) -> bool
 
 /// The residual (absolute) that "solved to full accuracy" means.
 pub(super) fn full_accuracy(run: &Run) -> f64 {
-    let relative = run.settings.inner_tolerance * run.settings.tolerance;
+    let relative = run.settings.inner_tolerance * run.tolerance;
     // Below this the product with A is rounding.
     let floor = 4.0 * f64::EPSILON * norm(run.rhs);
     (relative * run.reference).max(floor)

@@ -23,7 +23,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         }
         let y = run.y(&x);
         let active = run.set.classify(&y);
-        let space = ReducedSpace::free(run.set, &active);
+        let space = ReducedSpace::free(&run.set, &active);
         let fixed = run.with_bound_blocks_fixed(&x.lambda, &active, &y);
         x = run.point_unless(fixed, &x);
         step = if direct(run, &space, &mut x) {

@@ -13,7 +13,7 @@ const LEAST_NEW: f64 = 1e-6;
 
 /// A-orthonormal directions P and their products W = AP.
 #[derive(Clone, Debug)]
-pub(super) struct RecycledProducts {
+pub(crate) struct RecycledProducts {
     capacity: usize,
     directions: Vec<Vec<f64>>,
     products: Vec<Vec<f64>>,
@@ -27,6 +27,14 @@ impl RecycledProducts {
             directions: Vec::new(),
             products: Vec::new(),
         }
+    }
+
+    /// Keeps at most `capacity` directions from now on; those above it go.
+    pub fn set_capacity(&mut self, capacity: usize) {
+        self.capacity = capacity;
+        // A leading part of an A-orthonormal set is one.
+        self.directions.truncate(capacity);
+        self.products.truncate(capacity);
     }
 
     /// Number of directions kept.

@@ -1,10 +1,9 @@
 //! What every method needs: the problem, the one measure, the records, the verdict.
 
+use crate::session::{Ending, Inner, Journal};
 use crate::sets::{BlockState, ConvexSet};
-use crate::spectrum::Spectrum;
 use crate::{
-    ActiveSet, DualOperator, IterationRecord, Method, Observer, ProductSet, Settings, Solution,
-    Status,
+    ActiveSet, DualOperator, IterationRecord, Method, Observer, ProductSet, Settings, Status,
 };
 use tresca_la::vector::{axpy, dot, norm};
 
@@ -16,6 +15,14 @@ pub(crate) struct Point {
 }
 
 impl Point {
+    /// λ = 0, where r = −b.
+    pub fn zero(rhs: &[f64]) -> Self {
+        Self {
+            lambda: vec![0.0; rhs.len()],
+            gradient: rhs.iter().map(|b| -b).collect(),
+        }
+    }
+
     /// q(self) − q(other) = ½ (λ − λ')ᵀ(r + r'), without the cancellation of a difference of two q.
     pub fn objective_change_from(&self, other: &Point) -> f64 {
         let mut change = 0.0;
@@ -62,14 +69,21 @@ struct Judged {
     active: ActiveSet,
     relative: f64,
     objective: f64,
+    bounds_change: f64,
+    /// The bounds of Coulomb's law under which λ was computed; none where they are frozen.
+    bounds: Vec<f64>,
+    /// What the run makes small: of several points the one with the smallest figure is the best.
+    figure: f64,
 }
 
-/// One run of one method.
+/// One run of one method on one inner problem.
 pub(crate) struct Run<'a> {
     pub operator: &'a mut dyn DualOperator,
     pub rhs: &'a [f64],
-    pub set: &'a ProductSet,
+    pub set: ProductSet,
     pub settings: &'a Settings,
+    /// On the relative reduced gradient of this inner problem.
+    pub tolerance: f64,
     /// Upper estimate of σmax.
     pub sigma: f64,
     /// The method's own ρ.
@@ -78,50 +92,55 @@ pub(crate) struct Run<'a> {
     pub reference: f64,
     /// ‖r̃(λ)‖/‖r̃(0)‖ of the point judged last.
     pub relative: f64,
+    inner: Inner<'a>,
     observer: &'a mut dyn Observer,
-    records: Vec<IterationRecord>,
+    journal: &'a mut Journal,
+    /// Iterations of this run, its start included.
+    iterations: usize,
     last: Option<Judged>,
     best: Option<Judged>,
     lowest_objective: f64,
     last_progress: usize,
-    n_a_before: usize,
-    n_a_setup: usize,
 }
 
 impl<'a> Run<'a> {
     pub fn new(
         operator: &'a mut dyn DualOperator,
-        rhs: &'a [f64],
-        set: &'a ProductSet,
+        inner: &Inner<'a>,
         settings: &'a Settings,
-        spectrum: &Spectrum,
-        n_a_before: usize,
+        sigma: f64,
+        journal: &'a mut Journal,
         observer: &'a mut dyn Observer,
     ) -> Self {
-        let n_a_setup = *operator.counter() - n_a_before;
-        let zero = Point {
-            lambda: vec![0.0; rhs.len()],
-            gradient: rhs.iter().map(|b| -b).collect(),
-        };
-        let sigma = spectrum.sigma;
-        Self {
+        journal.problems += 1;
+        let mut run = Self {
             operator,
-            rhs,
-            set,
+            rhs: inner.rhs,
+            set: inner.set.clone(),
             settings,
+            tolerance: inner.tolerance,
             sigma,
             rho: settings.rho / sigma,
-            reference: reduced_gradient(set, &zero, 1.0 / sigma).0,
+            reference: 0.0,
             relative: f64::INFINITY,
+            inner: *inner,
             observer,
-            records: Vec::new(),
+            journal,
+            iterations: 0,
             last: None,
             best: None,
             lowest_objective: f64::INFINITY,
             last_progress: 0,
-            n_a_before,
-            n_a_setup,
-        }
+        };
+        run.reference = run.reference_of_set();
+        run
+    }
+
+    /// ‖r̃(0)‖ for the present Λ, without the multiplier's share of b.
+    fn reference_of_set(&self) -> f64 {
+        let zero = Point::zero(self.inner.own_rhs);
+        let (norm, _) = reduced_gradient(&self.set, &zero, 1.0 / self.sigma);
+        norm.max(self.inner.least_reference)
     }
 
     /// The start, projected; 0 if none is given, which costs no multiplication.
@@ -167,7 +186,7 @@ impl<'a> Run<'a> {
 
     /// ‖r̃_ρ(λ)‖ with the method's own ρ, at a λ that need not be feasible.
     pub fn reduced_gradient_norm(&self, point: &Point) -> f64 {
-        reduced_gradient(self.set, point, self.rho).0
+        reduced_gradient(&self.set, point, self.rho).0
     }
 
     /// λ with the bound blocks replaced by their projection: 0 where open, the bound where slipping.
@@ -188,35 +207,75 @@ impl<'a> Run<'a> {
         x
     }
 
+    /// Whether the bounds follow the normal forces inside of this run.
+    pub fn follows_coulomb(&self) -> bool {
+        self.inner.law.is_some()
+    }
+
+    /// Coulomb's law in the loop: Λ gets the bounds that belong to the normal forces of λ, and the
+    /// reduced gradient is measured anew. Nothing happens in a run with frozen bounds.
+    pub fn follow_coulomb(&mut self, lambda: &Point) {
+        let Some(law) = self.inner.law else {
+            return;
+        };
+        law.bound(&mut self.set, &law.bounds(&lambda.lambda));
+        let reference = self.reference_of_set();
+        if reference > 0.0 {
+            self.reference = reference;
+        }
+        let (norm, _) = reduced_gradient(&self.set, lambda, 1.0 / self.sigma);
+        self.relative = relative(norm, self.reference);
+    }
+
     /// Records the feasible `point`, tells the observer, and says whether the run is over.
     pub fn judge(&mut self, point: &Point, step: Step) -> Option<Status> {
-        let (norm, active) = reduced_gradient(self.set, point, 1.0 / self.sigma);
-        let relative = norm / self.reference;
+        let (norm, active) = reduced_gradient(&self.set, point, 1.0 / self.sigma);
+        let relative = relative(norm, self.reference);
         let objective = objective(point, self.rhs);
         if !relative.is_finite() || !objective.is_finite() {
             return Some(Status::Diverged);
         }
         self.relative = relative;
+        let bounds_change = self
+            .inner
+            .law
+            .map_or(0.0, |law| law.change(&self.set, &point.lambda));
+        // Both in units of what is asked for, so that one figure tells which point is the better one.
+        let figure = match self.inner.law {
+            None => relative,
+            Some(_) => f64::max(
+                relative / self.tolerance,
+                bounds_change / self.settings.coulomb_tolerance,
+            ),
+        };
         let judged = Judged {
             point: point.clone(),
             active,
             relative,
             objective,
+            bounds_change,
+            bounds: self
+                .inner
+                .law
+                .map_or_else(Vec::new, |law| law.present(&self.set)),
+            figure,
         };
         let record = self.record(&judged, step);
-        self.note_progress(&judged, record.iteration);
+        self.note_progress(&judged, self.iterations);
         let stop = self.observer.iteration(&record).is_break();
-        let iteration = record.iteration;
-        self.records.push(record);
+        self.journal.records.push(record);
         self.last = Some(judged);
+        let iteration = self.iterations;
+        self.iterations += 1;
 
-        if relative <= self.settings.tolerance {
+        let settled = bounds_change <= self.settings.coulomb_tolerance;
+        if relative <= self.tolerance && settled {
             Some(Status::Converged)
         } else if stop {
             Some(Status::Interrupted)
         } else if iteration - self.last_progress >= patience(self.settings.method) {
             Some(Status::Stagnated)
-        } else if iteration >= self.settings.max_iterations {
+        } else if self.journal.steps() >= self.settings.max_iterations {
             Some(Status::IterationLimit)
         } else {
             None
@@ -226,29 +285,31 @@ impl<'a> Run<'a> {
     fn record(&mut self, judged: &Judged, step: Step) -> IterationRecord {
         let last = self.last.as_ref();
         IterationRecord {
-            iteration: self.records.len(),
+            iteration: self.journal.records.len(),
+            outer: self.journal.problems - 1,
             relative_reduced_gradient: judged.relative,
             objective: judged.objective,
             decrease: last.map_or(0.0, |last| -judged.point.objective_change_from(&last.point)),
             counts: judged.active.counts(),
             set_changes: last.map_or(0, |last| judged.active.changes(&last.active)),
             inner_iterations: step.inner_iterations,
-            n_a: *self.operator.counter() - self.n_a_before,
+            n_a: *self.operator.counter() - self.journal.n_a_before,
             step_length: step.length,
         }
     }
 
-    /// Progress is a smaller reduced gradient, or a lower objective beyond rounding, than ever before.
+    /// Progress is a smaller figure, or a lower objective beyond rounding, than ever before. Under
+    /// bounds that change the objective says nothing.
     fn note_progress(&mut self, judged: &Judged, iteration: usize) {
         let rounding = objective_rounding(&judged.point, self.rhs);
-        if judged.objective < self.lowest_objective - rounding {
+        if !self.follows_coulomb() && judged.objective < self.lowest_objective - rounding {
             self.lowest_objective = judged.objective;
             self.last_progress = iteration;
         }
         if self
             .best
             .as_ref()
-            .is_none_or(|best| judged.relative < best.relative)
+            .is_none_or(|best| judged.figure < best.figure)
         {
             self.best = Some(judged.clone());
             self.last_progress = iteration;
@@ -256,60 +317,89 @@ impl<'a> Run<'a> {
     }
 
     /// The outcome; the best point unless the last one has converged.
-    pub fn into_solution(self, status: Status) -> Solution {
+    pub fn end(self, status: Status) -> Ending {
         let chosen = if status.is_converged() {
             self.last
         } else {
             self.best
         };
         // A start that is not finite was refused, so there is none only if the first product overflowed.
-        let chosen = chosen.unwrap_or_else(|| zero_point(self.rhs, self.set, 1.0));
-        Solution {
-            status,
-            method: self.settings.method,
-            lambda: chosen.point.lambda,
-            gradient: chosen.point.gradient,
-            relative_reduced_gradient: chosen.relative,
-            objective: chosen.objective,
-            active_set: chosen.active,
-            iterations: self.records.len().saturating_sub(1),
-            records: self.records,
-            n_a: *self.operator.counter() - self.n_a_before,
-            n_a_setup: self.n_a_setup,
-            sigma_max: self.sigma,
+        let chosen = chosen.unwrap_or_else(|| zero_point(self.rhs, &self.set, 1.0));
+        let mut set = self.set;
+        if let Some(law) = self.inner.law.filter(|_| !chosen.bounds.is_empty()) {
+            law.bound(&mut set, &chosen.bounds);
         }
+        ending(status, chosen, set, self.reference)
     }
 }
 
-/// The solution λ = 0 of a problem whose reduced gradient vanishes at 0. Costs no multiplication.
-pub(crate) fn zero_solution(settings: &Settings, rhs: &[f64], set: &ProductSet) -> Solution {
-    let zero = zero_point(rhs, set, 0.0);
-    Solution {
-        status: Status::Converged,
-        method: settings.method,
-        lambda: zero.point.lambda,
-        gradient: zero.point.gradient,
-        relative_reduced_gradient: 0.0,
-        objective: 0.0,
-        active_set: zero.active,
-        iterations: 0,
-        records: Vec::new(),
-        n_a: 0,
-        n_a_setup: 0,
-        sigma_max: 0.0,
+/// The end at λ = 0 of a problem whose reduced gradient vanishes there. Costs no multiplication.
+pub(crate) fn zero_ending(rhs: &[f64], set: ProductSet) -> Ending {
+    let zero = zero_point(rhs, &set, 0.0);
+    ending(Status::Converged, zero, set, 0.0)
+}
+
+/// P_Λ(λ) as an end, with the status left to the caller.
+pub(crate) fn ending_at(
+    operator: &mut dyn DualOperator,
+    sigma: f64,
+    rhs: &[f64],
+    set: ProductSet,
+    mut lambda: Vec<f64>,
+) -> Ending {
+    set.project(&mut lambda);
+    let mut gradient = vec![0.0; rhs.len()];
+    operator.apply(&lambda, &mut gradient);
+    axpy(-1.0, rhs, &mut gradient);
+    let point = Point { lambda, gradient };
+    let (reference, _) = reduced_gradient(&set, &Point::zero(rhs), 1.0 / sigma);
+    let (norm, active) = reduced_gradient(&set, &point, 1.0 / sigma);
+    let relative = relative(norm, reference);
+    let judged = Judged {
+        active,
+        relative,
+        objective: objective(&point, rhs),
+        point,
+        bounds_change: 0.0,
+        bounds: Vec::new(),
+        figure: relative,
+    };
+    ending(Status::Stagnated, judged, set, reference)
+}
+
+fn ending(status: Status, chosen: Judged, set: ProductSet, reference: f64) -> Ending {
+    Ending {
+        status,
+        point: chosen.point,
+        set,
+        active: chosen.active,
+        relative: chosen.relative,
+        reference,
+        objective: chosen.objective,
+        multiplier: Vec::new(),
+        equality_residual: 0.0,
+        motion: None,
+        outer_iterations: 0,
+        outer_residual: chosen.bounds_change,
     }
 }
 
 fn zero_point(rhs: &[f64], set: &ProductSet, relative: f64) -> Judged {
-    let lambda = vec![0.0; rhs.len()];
-    let gradient = rhs.iter().map(|b| -b).collect();
     // y = ρ b: every ρ > 0 gives the same states.
     Judged {
         active: set.classify(rhs),
-        point: Point { lambda, gradient },
+        point: Point::zero(rhs),
         relative,
         objective: 0.0,
+        bounds_change: 0.0,
+        bounds: Vec::new(),
+        figure: relative,
     }
+}
+
+/// A norm against the reference; with a zero reference only a zero norm is 0.
+fn relative(norm: f64, reference: f64) -> f64 {
+    if norm == 0.0 { 0.0 } else { norm / reference }
 }
 
 /// Iterations without progress after which a method is said to stagnate. The

@@ -70,11 +70,11 @@ fn newton_direction(
     // The rows are those of the reduced gradient times ρ.
     let tolerance = full_accuracy(run) * run.rho;
     let limit = run.settings.max_inner_iterations;
-    let (rho, set) = (run.rho, run.set);
+    let rho = run.rho;
     let slanted = vec![0.0; y.len()];
     let mut system = NewtonOperator {
         operator: &mut *run.operator,
-        set,
+        set: &run.set,
         y,
         rho,
         slanted,

@@ -35,6 +35,15 @@ impl BlockSet {
             BlockSet::Line(_) | BlockSet::HalfLine(_) => None,
         }
     }
+
+    /// The same set with another bound, where it has one.
+    pub(crate) fn with_bound(self, bound: f64) -> Self {
+        match self {
+            BlockSet::Interval(_) => BlockSet::Interval(Interval { bound }),
+            BlockSet::Disc(_) => BlockSet::Disc(Disc { bound }),
+            BlockSet::Line(_) | BlockSet::HalfLine(_) => self,
+        }
+    }
 }
 
 impl ConvexSet for BlockSet {
@@ -138,6 +147,26 @@ impl ProductSet {
             set: BlockSet::Interval(Interval { bound }),
         });
         Self::new(2 * m, normals.chain(tangents).collect())
+    }
+
+    /// Gives the interval or disc number `block` another bound.
+    ///
+    /// # Errors
+    /// When there is no such block, it is a line or half-line, or the bound is negative or not
+    /// finite.
+    pub fn set_bound(&mut self, block: usize, bound: f64) -> Result<(), QcqpError> {
+        check_bound(block, bound)?;
+        match self.blocks.get_mut(block) {
+            Some(own) if own.set.bound().is_some() => own.set = own.set.with_bound(bound),
+            _ => return Err(QcqpError::NoBound { block }),
+        }
+        Ok(())
+    }
+
+    /// Gives a block another bound that is known to be in order.
+    pub(crate) fn rebound(&mut self, block: usize, bound: f64) {
+        let own = &mut self.blocks[block];
+        own.set = own.set.with_bound(bound);
     }
 
     /// Number of unknowns.

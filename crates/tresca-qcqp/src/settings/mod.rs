@@ -51,6 +51,16 @@ words! {
     }
 }
 
+words! {
+    /// How the bounds of Coulomb's law are found.
+    pub enum CoulombMethod, "Coulomb method" {
+        /// Problems with frozen bounds, one after another, until the bounds no longer change.
+        FixedPoint = "fixed_point",
+        /// The bounds follow the normal forces after every Newton step; grssn only.
+        InLoop = "in_loop",
+    }
+}
+
 settings! {
     /// The options of a solve, each with a default that works. Nothing here has
     /// a unit: lengths and forces scale out.
@@ -83,18 +93,33 @@ settings! {
         /// grssn: number of search directions whose products with A are kept to precondition later
         /// systems; 0 keeps none.
         recycled_directions: usize = 128, Range::closed(0.0, 4096.0);
+        /// Coulomb friction: how the slip bounds, which depend on the normal forces, are found.
+        coulomb: CoulombMethod = CoulombMethod::FixedPoint, Range::WORDS;
+        /// Coulomb friction: stop when the relative changes of the bounds, and of the forces from one
+        /// outer iteration to the next, are at or below this.
+        coulomb_tolerance: f64 = 1e-6, Range::open(0.0, 1.0);
+        /// Largest number of outer iterations: updates of the bounds of Coulomb friction, and for
+        /// each of them updates of the rigid motions of floating bodies.
+        max_outer_iterations: usize = 50, Range::at_least(1.0);
         /// How A is applied.
         engine: Engine = Engine::Auto, Range::WORDS;
     }
 }
 
 impl Settings {
-    /// Checks every option against its range, and the method against ρ.
+    /// Checks every option against its range, and the method against ρ and `coulomb`.
     ///
     /// # Errors
     /// [`QcqpError::Setting`], which names the option, its value and what is allowed.
     pub fn validate(&self) -> Result<(), QcqpError> {
         self.check_ranges()?;
+        if self.coulomb == CoulombMethod::InLoop && self.method != Method::Grssn {
+            return Err(QcqpError::Setting {
+                name: "coulomb",
+                value: self.coulomb.show(),
+                allowed: "fixed_point with methods other than grssn".to_owned(),
+            });
+        }
         let rho = self.rho;
         let allowed = match self.method {
             Method::Gimssn | Method::Grssn if rho >= 2.0 => {

@@ -35,7 +35,13 @@ impl Plain {
     }
 
     pub fn solve(&self, settings: &Settings, start: Option<&[f64]>) -> Solution {
-        solve(&mut self.problem(), settings, start, &mut Silent).unwrap()
+        solve(
+            &mut self.problem(),
+            settings,
+            start.map(Into::into),
+            &mut Silent,
+        )
+        .unwrap()
     }
 
     pub fn mul(&self, x: &[f64]) -> Vec<f64> {

@@ -1,0 +1,178 @@
+//! The fixed point iteration: problems with frozen bounds, one after another.
+
+use super::history::History;
+use super::{CoulombLaw, Frictional, relative_change};
+use crate::Status;
+use crate::equality::Reach;
+use crate::session::{Ending, Session};
+use crate::sets::ProductSet;
+use crate::start::Start;
+
+/// A bound that nothing reaches: everything sticks.
+const STICK: f64 = 1e300;
+/// Tolerance of the first frozen problem, and the part of the outer residual (as it is expected to
+/// be) that the next one is solved to.
+const FIRST_TOLERANCE: f64 = 1e-3;
+const TOLERANCE_RATIO: f64 = 0.03;
+/// A pair is said to slip when its friction is this close to the bound.
+const SLIPS: f64 = 1.0 - 1e-6;
+/// Times that frozen bounds without an equilibrium are widened before there is said to be none.
+const MAX_WIDENINGS: usize = 6;
+
+/// λ_k for bounds g_k, g_{k+1} = g(λ_k). A, what is known of it, λ and its sets serve on.
+pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
+    let law = problem.law;
+    if let Some(ending) = impossible(session, problem) {
+        return ending;
+    }
+    let mut set = first_set(problem, start);
+    let mut multiplier = problem.balance.map_or_else(Vec::new, |b| {
+        b.coordinates(start.map_or(&[], |s| s.multiplier))
+    });
+    let mut lambda = start.map(|s| s.lambda.to_vec());
+    let mut history = History::default();
+    let mut tolerance = FIRST_TOLERANCE.max(session.settings.tolerance);
+    let mut previous: Option<Ending> = None;
+    let mut widenings = 0;
+    let mut outer = 0;
+    loop {
+        outer += 1;
+        let reach = problem.balance.map(|_| Reach::frozen(&set));
+        let from = lambda.as_deref();
+        let mut ending = problem.solve_with(
+            session,
+            &set,
+            None,
+            reach.as_ref(),
+            tolerance,
+            from,
+            &multiplier,
+        );
+        ending.outer_iterations = outer;
+        if ending.status == Status::NoEquilibrium && widenings < MAX_WIDENINGS {
+            // Too little friction on the way need not be too little at the end.
+            widenings += 1;
+            match &previous {
+                Some(last) => widen(law, &mut set, last, widenings),
+                None => law.bound(&mut set, &vec![STICK; law.bounds_of_blocks().len()]),
+            }
+            continue;
+        }
+        let bounds = law.bounds(&ending.point.lambda);
+        ending.outer_residual = residual(law, &ending, previous.as_ref());
+        if !ending.status.is_converged() {
+            return ending;
+        }
+        let settled = ending.outer_residual <= session.settings.coulomb_tolerance;
+        if settled && tolerance <= session.settings.tolerance {
+            return ending;
+        }
+        let verdict = history.note(bounds.clone(), ending.outer_residual);
+        if let Some(status) = verdict.filter(|_| !settled) {
+            ending.status = status;
+            return ending;
+        }
+        if outer >= session.settings.max_outer_iterations {
+            ending.status = Status::IterationLimit;
+            return ending;
+        }
+        tolerance = next_tolerance(session, tolerance, &ending, previous.as_ref());
+        set = ending.set.clone();
+        lambda = Some(scaled(law, &mut set, &ending.point.lambda, &bounds));
+        multiplier.clone_from(&ending.multiplier);
+        previous = Some(ending);
+        widenings = 0;
+    }
+}
+
+/// The end of a problem whose load no friction cone can hold, for any bounds.
+fn impossible(session: &mut Session, problem: &Frictional) -> Option<Ending> {
+    let balance = problem.balance?;
+    let cones = Reach::cones(problem.set, problem.law);
+    crate::equality::without_equilibrium(
+        session,
+        problem.rhs,
+        problem.set,
+        Some(problem.law),
+        balance,
+        &cones,
+    )
+}
+
+/// The bounds of the first frozen problem: the given ones when there is a start. Else no friction,
+/// whose normal forces are those of a good first guess; but floating bodies may need friction to be
+/// held at all, and then everything sticks.
+fn first_set(problem: &Frictional, start: Option<Start>) -> ProductSet {
+    let mut set = problem.set.clone();
+    if start.is_none() {
+        let bound = if problem.balance.is_some() {
+            STICK
+        } else {
+            0.0
+        };
+        let count = problem.law.bounds_of_blocks().len();
+        problem.law.bound(&mut set, &vec![bound; count]);
+    }
+    set
+}
+
+/// The change of the bounds, and of λ since the last outer iteration.
+fn residual(law: &CoulombLaw, ending: &Ending, previous: Option<&Ending>) -> f64 {
+    let bounds = law.change(&ending.set, &ending.point.lambda);
+    let forces = previous.map_or(0.0, |last| {
+        relative_change(&ending.point.lambda, &last.point.lambda)
+    });
+    bounds.max(forces)
+}
+
+/// The tolerance of the next frozen problem, which never rises again.
+fn next_tolerance(
+    session: &Session,
+    tolerance: f64,
+    ending: &Ending,
+    previous: Option<&Ending>,
+) -> f64 {
+    let settings = session.settings;
+    let rate = previous.map_or(1.0, |last| ending.outer_residual / last.outer_residual);
+    let expected = ending.outer_residual * rate.min(1.0);
+    // The last one has to be solved to the end.
+    if expected <= settings.coulomb_tolerance {
+        return settings.tolerance;
+    }
+    (TOLERANCE_RATIO * expected).clamp(settings.tolerance, tolerance)
+}
+
+/// Gives the set the new bounds, and λ for them: pairs that slip stay on their boundary, so that
+/// the active set stays.
+fn scaled(law: &CoulombLaw, set: &mut ProductSet, lambda: &[f64], bounds: &[f64]) -> Vec<f64> {
+    let old = law.present(set);
+    law.bound(set, bounds);
+    let mut lambda = lambda.to_vec();
+    for ((own, old), new) in law.bounds_of_blocks().iter().zip(old).zip(bounds) {
+        let friction = &mut lambda[set.blocks()[own.block].range()];
+        let size = friction.iter().map(|f| f * f).sum::<f64>().sqrt();
+        if old > 0.0 && size >= SLIPS * old {
+            friction.iter_mut().for_each(|f| *f *= new / old);
+        }
+    }
+    lambda
+}
+
+/// Bounds between those that follow from the last λ, which cannot hold the load, and those that
+/// this λ itself needs, which can: the more of the latter, the more often it was tried.
+fn widen(law: &CoulombLaw, set: &mut ProductSet, last: &Ending, times: usize) {
+    let share = 1.0 - 0.5_f64.powi(times as i32);
+    let follows = law.bounds(&last.point.lambda);
+    let needed = |(own, follows): (&super::CoulombBound, f64)| {
+        let friction = &last.point.lambda[last.set.blocks()[own.block].range()];
+        let size = friction.iter().map(|f| f * f).sum::<f64>().sqrt();
+        follows + share * (size - follows).max(0.0)
+    };
+    let bounds: Vec<f64> = law
+        .bounds_of_blocks()
+        .iter()
+        .zip(follows)
+        .map(needed)
+        .collect();
+    law.bound(set, &bounds);
+}

@@ -1,0 +1,144 @@
+//! The outer iteration over the multiplier.
+
+use super::ascent::{Ascent, Station};
+use super::equilibrium::{self, Equilibrium};
+use super::{Balance, Reach};
+use crate::Status;
+use crate::coulomb::CoulombLaw;
+use crate::methods::{Point, compliance};
+use crate::session::{Ending, Inner, Session};
+use crate::sets::ProductSet;
+use tresca_la::vector::dot;
+
+/// Tolerance of the first inner problem, and the part of the outer residual that the next one is
+/// solved to.
+const FIRST_TOLERANCE: f64 = 1e-2;
+const TOLERANCE_RATIO: f64 = 0.01;
+/// Relative residual of the systems for H, and the least part of the outer residual it follows.
+const LOOSEST_RESPONSE: f64 = 1e-2;
+const FINEST_RESPONSE: f64 = 1e-6;
+
+/// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
+#[derive(Clone, Copy)]
+pub(crate) struct Balanced<'a> {
+    pub rhs: &'a [f64],
+    pub set: &'a ProductSet,
+    pub law: Option<&'a CoulombLaw>,
+    pub balance: &'a Balance,
+    /// The forces that statics may count on; `None` when it is known that there is an equilibrium.
+    pub reach: Option<&'a Reach>,
+    /// On the reduced gradient and on the residual of the constraint.
+    pub tolerance: f64,
+}
+
+/// Solves it from λ and β; α of the ending is still in scaled coordinates.
+pub(crate) fn solve(
+    session: &mut Session,
+    problem: &Balanced,
+    start: Option<&[f64]>,
+    multiplier: &[f64],
+) -> Ending {
+    let Balanced { balance, law, .. } = *problem;
+    let impossible = problem.reach.and_then(|reach| {
+        without_equilibrium(session, problem.rhs, problem.set, law, balance, reach)
+    });
+    if let Some(ending) = impossible {
+        return ending;
+    }
+    let least_reference = balance.spread(&balance.load);
+    let mut ascent = Ascent::new();
+    let mut set = problem.set.clone();
+    let mut beta = multiplier.to_vec();
+    let mut lambda = start.map(<[f64]>::to_vec);
+    let mut tolerance = FIRST_TOLERANCE.max(problem.tolerance);
+    let mut updates = 0;
+    loop {
+        let mut rhs = problem.rhs.to_vec();
+        balance.add_transposed(&beta, &mut rhs);
+        let inner = Inner {
+            rhs: &rhs,
+            own_rhs: problem.rhs,
+            least_reference,
+            set: &set,
+            law,
+            tolerance,
+        };
+        let mut ending = session.solve(&inner, lambda.as_deref());
+        let shortfall = balance.shortfall(&ending.point.lambda);
+        let residual = relative(balance.spread(&shortfall), ending.reference);
+        let value = ending.objective + dot(&beta, &balance.load);
+        // q itself, and the multiplier that the caller may use.
+        ending.objective += dot(&beta, &applied(balance, &ending.point));
+        ending.multiplier = beta.clone();
+        ending.equality_residual = residual;
+        ending.outer_iterations = updates + 1;
+        let balanced = residual <= problem.tolerance;
+        if !ending.status.is_converged() || balanced && tolerance <= problem.tolerance {
+            return ending;
+        }
+        if balanced {
+            tolerance = problem.tolerance;
+            lambda = Some(ending.point.lambda);
+            set = ending.set;
+            continue;
+        }
+        updates += 1;
+        if updates >= session.settings.max_outer_iterations {
+            ending.status = Status::IterationLimit;
+            return ending;
+        }
+        let accuracy = residual.clamp(FINEST_RESPONSE, LOOSEST_RESPONSE);
+        let station = Station {
+            compliance: compliance(session, &ending, &balance.rows, accuracy),
+            beta,
+            lambda: ending.point.lambda,
+            shortfall,
+            value: law.is_none().then_some(value),
+        };
+        let (next, expected) = ascent.next(station);
+        (beta, lambda) = (next, Some(expected));
+        set = ending.set;
+        tolerance = (TOLERANCE_RATIO * residual)
+            .clamp(problem.tolerance, FIRST_TOLERANCE.max(problem.tolerance));
+    }
+}
+
+/// G̃λ.
+fn applied(balance: &Balance, point: &Point) -> Vec<f64> {
+    balance
+        .rows
+        .iter()
+        .map(|row| dot(row, &point.lambda))
+        .collect()
+}
+
+/// The end of a problem whose load no force in reach can balance, at the λ that comes nearest;
+/// with a law its bounds are those that belong to this λ.
+pub(crate) fn without_equilibrium(
+    session: &mut Session,
+    rhs: &[f64],
+    set: &ProductSet,
+    law: Option<&CoulombLaw>,
+    balance: &Balance,
+    reach: &Reach,
+) -> Option<Ending> {
+    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(balance, reach) else {
+        return None;
+    };
+    let mut set = set.clone();
+    if let Some(law) = law {
+        law.bound(&mut set, &law.bounds(&lambda));
+    }
+    let mut ending = session.evaluate(rhs, &set, lambda);
+    let shortfall = balance.shortfall(&ending.point.lambda);
+    let reference = ending.reference.max(balance.spread(&balance.load));
+    ending.status = Status::NoEquilibrium;
+    ending.multiplier = vec![0.0; motion.len()];
+    ending.equality_residual = relative(balance.spread(&shortfall), reference);
+    ending.motion = Some(motion);
+    Some(ending)
+}
+
+fn relative(norm: f64, reference: f64) -> f64 {
+    if norm == 0.0 { 0.0 } else { norm / reference }
+}

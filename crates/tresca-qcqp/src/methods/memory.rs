@@ -1,0 +1,57 @@
+//! What is known of A. It outlives a solve: another right-hand side, other
+//! bounds or another multiplier change nothing about A.
+
+use super::recycle::RecycledProducts;
+use crate::DualOperator;
+use crate::operator::LocalModel;
+use crate::spectrum::Spectrum;
+use tresca_la::vector::dot;
+
+/// The estimate of σmax, and what preconditions Newton systems.
+pub(crate) struct Memory {
+    pub spectrum: Spectrum,
+    newton: Option<NewtonMemory>,
+}
+
+/// The two parts of the preconditioner: D and the recycled products.
+pub(crate) struct NewtonMemory {
+    pub model: LocalModel,
+    pub recycled: RecycledProducts,
+}
+
+impl Memory {
+    pub fn new(spectrum: Spectrum) -> Self {
+        Self {
+            spectrum,
+            newton: None,
+        }
+    }
+
+    /// What preconditions Newton systems; the local model is computed when first asked for, since
+    /// not every method wants it. Costs no product: the Lanczos vectors are the first ones kept.
+    /// When the store is full, what is there stays: the early directions are the smooth modes that
+    /// every active set shares.
+    pub fn newton(&mut self, operator: &dyn DualOperator, capacity: usize) -> &mut NewtonMemory {
+        let spectrum = &self.spectrum;
+        let newton = self.newton.get_or_insert_with(|| {
+            let mut recycled = RecycledProducts::new(capacity);
+            for (v, product) in spectrum.basis.iter().zip(&spectrum.products) {
+                recycled.offer(v, product);
+            }
+            NewtonMemory {
+                model: calibrated_model(operator, spectrum),
+                recycled,
+            }
+        });
+        newton.recycled.set_capacity(capacity);
+        newton
+    }
+}
+
+/// The operator's model of itself, scaled to fit A on the first Lanczos vector.
+fn calibrated_model(operator: &dyn DualOperator, spectrum: &Spectrum) -> LocalModel {
+    let model = operator.local_model();
+    let (v, product) = (&spectrum.basis[0], &spectrum.products[0]);
+    let theta = dot(v, product) / model.quadratic(v);
+    model.scaled(theta)
+}
