@@ -2,7 +2,8 @@
 //! cylinder.
 //!
 //! Errors are those of the displacement (L2, rate 2), the energy (square root of the strain energy of
-//! the error, rate 1) and the recovered stress (L2, at least 1.5), with the measure of the space.
+//! the error, rate 1) and the recovered stress (L2), with the measure of the space. The recovered stress
+//! is of order 2 on quadrilaterals; on triangles at least of order 3/2 (see [`stress::recover`]).
 
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
@@ -76,13 +77,14 @@ fn errors(mesh: &Mesh, material: &Isotropic, u: &[f64], exact: &Exact<'_>) -> [f
     sums.map(f64::sqrt)
 }
 
-/// Checks the rates between meshes of n and 2n cells, and returns nothing less than an assertion.
-fn check_rates(name: &str, of: impl Fn(usize) -> [f64; 3]) {
+/// Checks the rates of errors between meshes of 16 and of 32 cells along an edge.
+fn check_rates(name: &str, cells: CellKind, of: impl Fn(usize) -> [f64; 3]) {
     let (coarse, fine) = (of(16), of(32));
     let rates: [f64; 3] = std::array::from_fn(|k| (coarse[k] / fine[k]).log2());
     assert!((rates[0] - 2.0).abs() < 0.15, "{name}: {rates:?}");
     assert!((rates[1] - 1.0).abs() < 0.1, "{name}: {rates:?}");
-    assert!(rates[2] > 1.5, "{name}: {rates:?}");
+    let stress = if cells == CellKind::Tri3 { 1.5 } else { 1.9 };
+    assert!(rates[2] > stress, "{name}: {rates:?}");
 }
 
 /// A smooth displacement in r = x and y. With u_x odd and u_y even in x it is smooth on the axis.
@@ -196,7 +198,7 @@ fn manufactured_solutions() {
             (CellKind::Tri3, 0.0),
             (CellKind::Tri3, 0.1),
         ] {
-            check_rates(&format!("{name}, {cells}, {amount}"), |n| {
+            check_rates(&format!("{name}, {cells}, {amount}"), cells, |n| {
                 let mesh = perturbed_rectangle(space, cells, [0.0, 0.0], [n + 1; 2], amount);
                 let mut supports = Supports::new(mesh.node_count(), 2);
                 for node in mesh.nodes_of_faces(&mesh.boundary_faces()) {
@@ -299,7 +301,7 @@ fn lames_cylinder_as_a_quarter_ring() {
                     ]
                 },
             };
-            check_rates(&format!("ring of {cells}"), |n| {
+            check_rates(&format!("ring of {cells}"), cells, |n| {
                 let mesh = rectangle(&RectangleSpec {
                     space: Space::Plane,
                     min: [1.0, 0.0],
@@ -334,7 +336,7 @@ fn lames_cylinder_as_a_body_of_revolution() {
         },
     };
     for cells in [CellKind::Quad4, CellKind::Tri3] {
-        check_rates(&format!("tube of {cells}"), |n| {
+        check_rates(&format!("tube of {cells}"), cells, |n| {
             let mesh = rectangle(&RectangleSpec {
                 space: Space::Axisymmetric,
                 min: [1.0, 0.0],
