@@ -13,7 +13,7 @@ pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
 }
 
 /// f_a = ∫ φ_a t dΓ for a traction t (force per area) that depends on the point, by each face's full
-/// rule.
+/// rule. What is no finite number enters the load as it is.
 pub fn traction_field(
     mesh: &Mesh,
     faces: &[Face],

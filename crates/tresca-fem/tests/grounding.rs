@@ -149,6 +149,21 @@ fn contact_along_a_line_and_in_a_point_needs_more_nodes() {
     }
 }
 
+/// A punch in the middle of a face: the preferred nodes see a rotation about the patch weakly.
+#[test]
+fn a_small_contact_patch() {
+    let mesh = perturbed_brick([9, 9, 4], 0.0);
+    let free = Supports::new(mesh.node_count(), 3);
+    let patch: Vec<usize> = (0..mesh.node_count())
+        .filter(|&a| {
+            let [x, y, z] = mesh.points[a];
+            z == 1.0 && (x - 0.5).abs() < 0.13 && (y - 0.5).abs() < 0.13
+        })
+        .collect();
+    assert_eq!(patch.len(), 9);
+    check("patch", &mesh, &free, &patch, &held_on(&mesh, "z-"));
+}
+
 #[test]
 fn few_of_many_preferred_nodes_are_taken() {
     let mesh = perturbed_brick([9, 9, 3], 0.0);

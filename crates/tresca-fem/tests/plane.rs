@@ -6,6 +6,7 @@
 mod common;
 
 use common::{dense, perturbed_rectangle, solve};
+use tresca_fem::FemError;
 use tresca_fem::assembly::{internal_forces, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::{pressure, resultant, traction};
@@ -161,6 +162,35 @@ fn the_stiffness_equals_a_naive_dense_assembly() {
             }
             let of_stress = stress::strain_energy(&mesh, &material, &u).unwrap();
             assert!((of_stress - energy).abs() < 1e-13 * energy);
+        }
+    }
+}
+
+#[test]
+fn bad_cells_are_named() {
+    let refused = |mesh: &Mesh, cell: usize| {
+        let u = vec![0.0; mesh.dof_count()];
+        let dofs = DofMap::unsupported(mesh.node_count(), 2);
+        for error in [
+            stiffness(mesh, &solid(), &dofs).unwrap_err(),
+            internal_forces(mesh, &solid(), &u).unwrap_err(),
+            mesh.check_cells().unwrap_err(),
+        ] {
+            match error {
+                FemError::InvertedCell { cell: found, .. } => assert_eq!(found, cell),
+                other => panic!("{other}"),
+            }
+        }
+    };
+    for cells in [CellKind::Quad4, CellKind::Tri3] {
+        for (space, _) in models() {
+            let mesh = || perturbed_rectangle(space, cells, [0.0, 0.0], [4, 4], 0.1);
+            let mut turned = mesh();
+            let n = cells.node_count();
+            turned.cells[0].connectivity[n * 5..n * 6].reverse();
+            refused(&turned, 5);
+            // All of the body pressed onto the axis.
+            refused(&mesh().mapped(|[_, y, _]| [0.0, y, 0.0]).unwrap(), 0);
         }
     }
 }

@@ -12,9 +12,11 @@ use tresca_la::SymmetricMatrix;
 /// other, so there should be few.
 const MOST_PREFERRED: usize = 24;
 
-/// The sampled nodes see a motion when its smallest mean square over them, relative to that over all
-/// nodes of the part, has at least this square root.
-const SEEN: f64 = 1e-2;
+/// The sampled nodes see a motion when its smallest root mean square over them has at least this
+/// fraction of that over all nodes of the part. The support's stiffness goes with the square: a patch
+/// in the middle of a face of four times its width sees the rotations about itself by less than 0.2,
+/// and two far nodes more make the condition ten times better.
+const SEEN: f64 = 0.3;
 
 /// Stiffness of the support relative to the part's own elastic stiffness. Below 1, because the
 /// support is local and the body around it gives way; any positive value is exact.
