@@ -13,7 +13,7 @@ pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
 }
 
 /// f_a = ∫ φ_a t dΓ for a traction t (force per area) that depends on the point, by each face's full
-/// rule.
+/// rule. What is no finite number enters the load as it is.
 pub fn traction_field(
     mesh: &Mesh,
     faces: &[Face],
@@ -148,7 +148,7 @@ pub fn resultant(mesh: &Mesh, load: &[f64], about: [f64; 3]) -> Resultant {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{BrickSpec, brick};
+    use crate::mesh::{BrickSpec, CellKind, RectangleSpec, brick, rectangle};
 
     fn block() -> Mesh {
         brick(&BrickSpec {
@@ -201,5 +201,107 @@ mod tests {
         close(sum.force, [0.0, 0.0, -12.0]);
         // The moment −Σ x_a f_a uses the nodal interpolant of x, which is x itself.
         close(sum.moment, [-6.0, 26.0, 0.0]);
+    }
+
+    fn plate(space: Space, cells: CellKind) -> Mesh {
+        rectangle(&RectangleSpec {
+            space,
+            min: [1.0, 0.0],
+            max: [3.0, 2.0],
+            nodes: [5, 4],
+            cells,
+        })
+        .unwrap()
+        // Straight edges, so that the closed forms hold on the mesh.
+        .mapped(|[x, y, _]| [x + 0.25 * y, y, 0.0])
+        .unwrap()
+    }
+
+    const PI: f64 = std::f64::consts::PI;
+
+    #[test]
+    fn measures_are_those_of_the_space() {
+        for cells in [CellKind::Quad4, CellKind::Tri3] {
+            let mesh = plate(Space::Plane, cells);
+            let top = mesh.faces_of_set("y+").unwrap();
+            let sum = resultant(&mesh, &traction(&mesh, top, [0.5, -2.0, 9.0]), [0.0; 3]);
+            // Length 2, centre (2.5, 2).
+            close(sum.force, [1.0, -4.0, 0.0]);
+            close(sum.moment, [0.0, 0.0, -2.5 * 4.0 - 2.0]);
+            let weight = resultant(&mesh, &body_force(&mesh, |_| [0.0, -1.0, 0.0]), [0.0; 3]);
+            // Area 4, centre of gravity at x = 2.25.
+            close(weight.force, [0.0, -4.0, 0.0]);
+            close(weight.moment, [0.0, 0.0, -9.0]);
+
+            let mesh = plate(Space::Axisymmetric, cells);
+            let top = mesh.faces_of_set("y+").unwrap();
+            let sum = resultant(&mesh, &traction(&mesh, top, [0.5, -2.0, 9.0]), [0.0; 3]);
+            // An annulus from 1.5 to 3.5.
+            close(sum.force, [0.0, -2.0 * PI * (12.25 - 2.25), 0.0]);
+            close(sum.moment, [0.0; 3]);
+            let weight = resultant(&mesh, &body_force(&mesh, |_| [3.0, -1.0, 0.0]), [0.0; 3]);
+            // Pappus: area 4 on the circle through its centre of gravity, r = 2.25.
+            close(weight.force, [0.0, -4.0 * 2.0 * PI * 2.25, 0.0]);
+            close(weight.moment, [0.0; 3]);
+            // The radial load on a straight tube is traction times the face, node by node.
+            let outside = mesh.faces_of_set("x+").unwrap();
+            let load = traction(&mesh, outside, [2.0, 0.0, 0.0]);
+            let radial: f64 = load.iter().step_by(2).sum();
+            // A cone between the radii 3 and 3.5 of slant √(4 + ¼).
+            assert!((radial - 2.0 * 2.0 * PI * 3.25 * 4.25f64.sqrt()).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_node_on_the_axis_has_its_share_of_area() {
+        let mesh = rectangle(&RectangleSpec {
+            space: Space::Axisymmetric,
+            min: [0.0, 0.0],
+            max: [2.0, 1.0],
+            nodes: [3, 2],
+            cells: CellKind::Quad4,
+        })
+        .unwrap();
+        let areas = nodal_areas(&mesh, mesh.faces_of_set("y-").unwrap());
+        // ∫ (1 − r) 2πr over (0, 1), and so on: π/3, 2π, 5π/3; together π 2².
+        for (area, expected) in areas.iter().zip([1.0 / 3.0, 2.0, 5.0 / 3.0, 0.0, 0.0, 0.0]) {
+            assert!((area - PI * expected).abs() < 1e-14);
+        }
+        let on_axis = nodal_areas(&mesh, mesh.faces_of_set("x-").unwrap());
+        assert!(on_axis.iter().all(|&area| area == 0.0));
+    }
+
+    #[test]
+    fn pressure_presses_and_a_closed_surface_under_it_rests() {
+        let brick = block();
+        let load = pressure(&brick, brick.faces_of_set("x+").unwrap(), 4.0);
+        // Area 3 at (3, 0.5, 0.5).
+        let sum = resultant(&brick, &load, [0.0; 3]);
+        close(sum.force, [-12.0, 0.0, 0.0]);
+        close(sum.moment, [0.0, -6.0, 6.0]);
+        let plane = |space| plate(space, CellKind::Tri3);
+        for mesh in [brick, plane(Space::Plane), plane(Space::Axisymmetric)] {
+            let surface = mesh.boundary_faces();
+            let sum = resultant(&mesh, &pressure(&mesh, &surface, 7.0), [1.0, 2.0, 3.0]);
+            close(sum.force, [0.0; 3]);
+            close(sum.moment, [0.0; 3]);
+            // Archimedes: p = 5 − 0.7 y lifts the volume.
+            let load = pressure_field(&mesh, &surface, |[_, y, _]| 5.0 - 0.7 * y);
+            let lift = resultant(&mesh, &load, [0.0; 3]).force;
+            assert!((lift[1] - 0.7 * mesh.volume()).abs() < 1e-12, "{lift:?}");
+            assert!(lift[0].abs() + lift[2].abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_traction_may_depend_on_the_point() {
+        let mesh = block();
+        let top = mesh.faces_of_set("z+").unwrap();
+        let load = traction_field(&mesh, top, |[x, y, _]| [0.0, 0.0, x * y]);
+        let sum = resultant(&mesh, &load, [0.0; 3]);
+        // ∫ xy over (1, 3) × (0, 1) = 4 · ½; ∫ x y² = 4/3; ∫ x² y = 26/3 · ½, the last two exact
+        // because x and y are nodal interpolants of themselves.
+        close(sum.force, [0.0, 0.0, 2.0]);
+        close(sum.moment, [4.0 / 3.0, -13.0 / 3.0, 0.0]);
     }
 }

@@ -11,7 +11,7 @@ pub(crate) fn listed(names: &[&str]) -> String {
 }
 
 /// The candidate closest to what was written, if it is close enough to be a slip of the pen: one
-/// edit in three letters, case left aside.
+/// edit in three letters, case left aside, and not all letters of a short name.
 pub(crate) fn nearest<'a>(
     found: &str,
     candidates: impl IntoIterator<Item = &'a str>,
@@ -21,7 +21,10 @@ pub(crate) fn nearest<'a>(
         .into_iter()
         .filter(|name| found.len() <= 2 * name.len() + 2)
         .map(|name| (strsim::osa_distance(&found, &name.to_lowercase()), name))
-        .filter(|(distance, name)| 3 * distance <= name.chars().count().max(3))
+        .filter(|(distance, name)| {
+            let letters = name.chars().count();
+            *distance < letters.max(1) && 3 * distance <= letters.max(3)
+        })
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, name)| name)
 }

@@ -146,6 +146,8 @@ fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Res
 }
 
 /// The same for one block, whose cells are numbered from `first`.
+// Each instance stands alone: inlined into one function they cost each other 5 % of the instructions.
+#[inline(never)]
 fn fill_block<const N: usize, const D: usize>(
     mesh: &Mesh,
     block: &CellBlock,

@@ -46,19 +46,7 @@ pub fn rectangle(spec: &RectangleSpec) -> Result<Mesh, FemError> {
         })
         .collect();
 
-    // Of the cell or cells that fill one quadrilateral: their corners (of its four, counter-clockwise)
-    // and, for each side, which face of which of them it is.
-    let (corners, sides): (&[&[usize]], [(&str, usize, usize); 4]) = match spec.cells {
-        CellKind::Quad4 => (
-            &[&[0, 1, 2, 3]],
-            [("x-", 0, 3), ("x+", 0, 1), ("y-", 0, 0), ("y+", 0, 2)],
-        ),
-        CellKind::Tri3 => (
-            &[&[0, 1, 2], &[0, 2, 3]],
-            [("x-", 1, 2), ("x+", 0, 1), ("y-", 0, 0), ("y+", 1, 1)],
-        ),
-        kind => return Err(FemError::RectangleCells { kind }),
-    };
+    let Tile { corners, sides } = Tile::of(spec.cells)?;
     let mut connectivity = Vec::new();
     let mut face_sets: BTreeMap<String, Vec<Face>> = BTreeMap::new();
     let mut first = 0;
@@ -66,17 +54,16 @@ pub fn rectangle(spec: &RectangleSpec) -> Result<Mesh, FemError> {
         for i in 0..nx - 1 {
             let node = i + nx * j;
             let quadrilateral = [node, node + 1, node + nx + 1, node + nx];
-            connectivity.extend(
-                corners
-                    .iter()
-                    .flat_map(|c| c.iter().map(|&a| quadrilateral[a])),
-            );
+            let of_cells = corners.iter().flat_map(|cell| cell.iter());
+            connectivity.extend(of_cells.map(|&a| quadrilateral[a]));
             let on_edge = [i == 0, i + 2 == nx, j == 0, j + 2 == ny];
-            for ((name, cell, local), _) in sides.iter().zip(on_edge).filter(|(_, on)| *on) {
-                face_sets.entry((*name).to_owned()).or_default().push(Face {
-                    cell: first + cell,
-                    local: *local,
-                });
+            for (side, name) in ["x-", "x+", "y-", "y+"].into_iter().enumerate() {
+                if on_edge[side] {
+                    let Face { cell, local } = sides[side];
+                    let cell = first + cell;
+                    let set = face_sets.entry(name.to_owned()).or_default();
+                    set.push(Face { cell, local });
+                }
             }
             first += corners.len();
         }
@@ -86,6 +73,26 @@ pub fn rectangle(spec: &RectangleSpec) -> Result<Mesh, FemError> {
         connectivity,
     };
     Mesh::new(spec.space, points, vec![block], face_sets)
+}
+
+/// How cells fill one quadrilateral of the grid.
+struct Tile {
+    /// For each cell, which of the four corners (counter-clockwise) are its nodes.
+    corners: &'static [&'static [usize]],
+    /// The faces on the sides x-, x+, y-, y+; cells are counted within the tile.
+    sides: [Face; 4],
+}
+
+impl Tile {
+    fn of(kind: CellKind) -> Result<Self, FemError> {
+        let (corners, sides): (&[&[usize]], _) = match kind {
+            CellKind::Quad4 => (&[&[0, 1, 2, 3]], [(0, 3), (0, 1), (0, 0), (0, 2)]),
+            CellKind::Tri3 => (&[&[0, 1, 2], &[0, 2, 3]], [(1, 2), (0, 1), (0, 0), (1, 1)]),
+            kind => return Err(FemError::RectangleCells { kind }),
+        };
+        let sides = sides.map(|(cell, local)| Face { cell, local });
+        Ok(Self { corners, sides })
+    }
 }
 
 #[cfg(test)]

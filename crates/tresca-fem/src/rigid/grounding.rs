@@ -1,21 +1,4 @@
 //! A generalised inverse of a singular stiffness matrix by a support that changes nothing.
-//!
-//! A body with remaining rigid motions R (free dofs × r) has a singular stiffness K with kernel R.
-//! Let C (free dofs × r) be such that RᵀC is nonsingular. Then
-//!
-//! K_reg = K + C Cᵀ
-//!
-//! is positive definite, and K_reg⁻¹ *is* a generalised inverse of K: K K_reg⁻¹ K = K. With f in
-//! equilibrium, Rᵀf = 0, the support carries nothing, and u = K_reg⁻¹f is the solution of K u = f with
-//! Cᵀu = 0: no spring weakens the answer. From K_reg R = C CᵀR follows
-//!
-//! K_reg⁻¹ = K⁺ + R S Rᵀ,   S = (RᵀC CᵀR)⁻¹,   with K⁺ ⪰ 0 and CᵀK⁺ = 0,
-//!
-//! so that S is all that the support adds to the flexibility.
-//!
-//! (The choice of C on few well-placed nodes follows the fixing nodes of Brzobohatý, Dostál,
-//! Kozubek, Kovář, Markopoulos: *Cholesky decomposition with fixing nodes to stable computation of a
-//! generalized inverse of the stiffness matrix of a floating structure*, IJNME 88, 2011.)
 
 use super::FreeMotion;
 use crate::dofs::DofMap;
@@ -29,15 +12,34 @@ use tresca_la::SymmetricMatrix;
 /// other, so there should be few.
 const MOST_PREFERRED: usize = 24;
 
-/// The sampled nodes see a motion when its smallest mean square over them, relative to that over all
-/// nodes of the part, has at least this square root.
-const SEEN: f64 = 1e-2;
+/// The sampled nodes see a motion when its smallest root mean square over them has at least this
+/// fraction of that over all nodes of the part. The support's stiffness goes with the square: a patch
+/// in the middle of a face of four times its width sees the rotations about itself by less than 0.2,
+/// and two far nodes more make the condition ten times better.
+const SEEN: f64 = 0.3;
 
 /// Stiffness of the support relative to the part's own elastic stiffness. Below 1, because the
 /// support is local and the body around it gives way; any positive value is exact.
 const STIFFNESS: f64 = 0.1;
 
-/// The support C of the remaining rigid motions of a body: see the [module](super).
+/// A support C of the remaining rigid motions of a body, and the generalised inverse that it makes.
+///
+/// A body with remaining rigid motions R (free dofs × r) has a singular stiffness K with kernel R.
+/// Let C (free dofs × r) be such that RᵀC is nonsingular. Then
+///
+/// K_reg = K + C Cᵀ
+///
+/// is positive definite, and K_reg⁻¹ *is* a generalised inverse of K: K K_reg⁻¹ K = K. With f in
+/// equilibrium, Rᵀf = 0, the support carries nothing, and u = K_reg⁻¹f is the solution of K u = f with
+/// Cᵀu = 0: no spring weakens the answer. From K_reg R = C CᵀR follows
+///
+/// K_reg⁻¹ = K⁺ + R S Rᵀ,   S = (RᵀC CᵀR)⁻¹,   with K⁺ ⪰ 0 and CᵀK⁺ = 0,
+///
+/// so that S is all that the support adds to the flexibility.
+///
+/// Few well-placed nodes suffice: these are the *fixing nodes* of Brzobohatý, Dostál,
+/// Kozubek, Kovář, Markopoulos: *Cholesky decomposition with fixing nodes to stable computation of a
+/// generalized inverse of the stiffness matrix of a floating structure*, IJNME 88, 2011.
 ///
 /// There is one column per motion, in the order the motions were given in; columns of different
 /// parts live on different dofs.

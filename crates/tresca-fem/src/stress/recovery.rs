@@ -24,7 +24,8 @@ const LARGEST_LEVERAGE: f64 = 4.0;
 
 /// The stress tensor at every node, recovered from the displacement `u` (full dofs).
 ///
-/// Second-order accurate on smooth solutions, up to the boundary. Near a singular point (an edge of
+/// Second-order accurate on smooth solutions, up to the boundary; on triangles, whose centres are
+/// superconvergent only in pairs, second-order inside and of order 3/2 in L2 because of the boundary. Near a singular point (an edge of
 /// the contact zone, a re-entrant corner) it smooths over the patch like any recovery.
 ///
 /// # Panics

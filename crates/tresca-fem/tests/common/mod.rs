@@ -5,7 +5,7 @@ use faer::linalg::solvers::Solve;
 use tresca_fem::assembly::{reduced_load, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{BrickSpec, Mesh, brick};
+use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
 use tresca_fem::supports::Supports;
 use tresca_la::SymmetricMatrix;
 use tresca_la::vector::{axpy, dot, norm};
@@ -27,6 +27,39 @@ pub fn perturbed_brick(nodes: [usize; 3], amount: f64) -> Mesh {
         }
     }
     mesh
+}
+
+/// A unit square from `min` on with interior nodes moved by `amount` cell sizes, in a fixed irregular
+/// way.
+pub fn perturbed_rectangle(
+    space: Space,
+    cells: CellKind,
+    min: [f64; 2],
+    nodes: [usize; 2],
+    amount: f64,
+) -> Mesh {
+    let max = min.map(|x| x + 1.0);
+    let mesh = rectangle(&RectangleSpec {
+        space,
+        min,
+        max,
+        nodes,
+        cells,
+    })
+    .unwrap();
+    let mut node = 0;
+    mesh.mapped(|point| {
+        let mut moved = point;
+        if (0..2).all(|i| point[i] > min[i] && point[i] < max[i]) {
+            for i in 0..2 {
+                let phase = (12.9898 * node as f64 + 78.233 * i as f64).sin() * 43758.5453;
+                moved[i] += amount * (2.0 * (phase - phase.floor()) - 1.0) / (nodes[i] - 1) as f64;
+            }
+        }
+        node += 1;
+        moved
+    })
+    .unwrap()
 }
 
 /// All entries of a symmetric matrix.

@@ -4,7 +4,7 @@ use toml::Spanned;
 
 use super::check::Check;
 use super::error::{CaseError, FaultKind};
-use super::keys::{FieldKeys, list_of_numbers};
+use super::keys::{Analysis, FieldKeys, list_of_numbers};
 use super::samples::Samples;
 use super::source::Span;
 use crate::expression::{Expression, VARIABLES};
@@ -92,6 +92,17 @@ impl Check<'_> {
             FieldKeys::Text(text) => {
                 let expression = self.expression(text, span.clone())?;
                 match expression.constant() {
+                    Some(value) if !value.is_finite() => {
+                        return Err(self
+                            .fault(
+                                FaultKind::BadValue,
+                                span,
+                                format!("{what} is not a finite number"),
+                                format!("the value of this expression is {value:?}"),
+                            )
+                            .with_help("this comes from a division by 0, or a function outside its domain")
+                            .into());
+                    }
                     Some(value) => Field::Constant(value),
                     None => Field::Expression(expression),
                 }
@@ -190,7 +201,10 @@ impl Check<'_> {
                         format!("there is no {name} with `analysis = \"{analysis}\"`"),
                         "expected a formula in x and y",
                     )
-                    .with_help("in an axisymmetric case x is the radius and y runs along the axis")
+                    .with_help(match self.analysis {
+                        Analysis::Axisymmetric => "x is the radius, and y runs along the axis",
+                        _ => "a plane case has the coordinates x and y",
+                    })
                     .into());
             }
         }

@@ -101,70 +101,60 @@ impl Check<'_> {
 /// What is wrong with a table.
 struct TableFault {
     /// From 1.
-    line: u64,
+    line: usize,
     fault: String,
     label: String,
 }
 
 /// The rows of a table with this header: a point, then a value that is 0 or more.
 fn read_rows(text: &str, header: &str, what: &str) -> Result<Vec<([f64; 3], f64)>, TableFault> {
-    let fault = |line: u64, fault: String, label: &str| TableFault {
+    let fault = |line: usize, fault: String, label: &str| TableFault {
         line,
         fault,
         label: label.to_owned(),
     };
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .from_reader(text.as_bytes());
     let columns: Vec<&str> = header.split(',').collect();
-    let mut rows = Vec::new();
-    let mut head = true;
-    for record in reader.records() {
-        let record = record.map_err(|error| {
-            let line = error.position().map_or(1, csv::Position::line);
-            fault(line, error.to_string(), "this file")
-        })?;
-        let line = record.position().map_or(1, csv::Position::line);
-        if head {
-            if !record.iter().eq(columns.iter().copied()) {
-                let found = record.iter().collect::<Vec<_>>().join(",");
-                let text = format!("expected the header `{header}`, found `{found}`");
-                return Err(fault(line, text, "the header of this file is wrong"));
-            }
-            head = false;
-            continue;
+    // Numbers need no quotes, so lines are rows; a reader of CSV would lose count at blank ones.
+    let mut lines = (1..)
+        .zip(text.lines())
+        .filter(|(_, text)| !text.trim().is_empty())
+        .map(|(line, text)| (line, text.split(',').map(str::trim).collect::<Vec<_>>()));
+    match lines.next() {
+        Some((line, found)) if found != columns => {
+            let text = format!("expected the header `{header}`, found `{}`", found.join(","));
+            return Err(fault(line, text, "the header of this file is wrong"));
         }
-        if record.len() != columns.len() {
-            let text = format!("expected {} entries, found {}", columns.len(), record.len());
+        _ => {}
+    }
+    let mut rows = Vec::new();
+    for (line, entries) in lines {
+        if entries.len() != columns.len() {
+            let text = format!(
+                "expected {} entries, found {}",
+                columns.len(),
+                entries.len()
+            );
             return Err(fault(line, text, "a row of this file has the wrong length"));
         }
-        let mut point = [0.0; 3];
-        let mut value = 0.0;
-        for (i, entry) in record.iter().enumerate() {
-            let number: f64 = entry
-                .parse()
-                .ok()
-                .filter(|number: &f64| number.is_finite())
-                .ok_or_else(|| {
-                    let text = format!(
-                        "expected a finite number for {}, found `{entry}`",
-                        columns[i]
-                    );
-                    fault(line, text, "an entry of this file is no number")
-                })?;
-            match point[..columns.len() - 1].get_mut(i) {
-                Some(coordinate) => *coordinate = number,
-                None => value = number,
+        let mut numbers = Vec::with_capacity(columns.len());
+        for (entry, column) in entries.into_iter().zip(&columns) {
+            match entry.parse::<f64>() {
+                Ok(number) if number.is_finite() => numbers.push(number),
+                _ => {
+                    let text = format!("expected a finite number for {column}, found `{entry}`");
+                    return Err(fault(line, text, "an entry of this file is no number"));
+                }
             }
         }
+        // The value comes last, behind as many coordinates as the case has.
+        let value = numbers.pop().unwrap_or(f64::NAN);
         if value < 0.0 {
             let text = format!("{what} must not be negative, found {value:?}");
             return Err(fault(line, text, "a value of this file is negative"));
         }
-        rows.push((point, value));
+        numbers.resize(3, 0.0);
+        rows.push(([numbers[0], numbers[1], numbers[2]], value));
     }
     if rows.is_empty() {
         let text = "expected at least one row of values behind the header".to_owned();

@@ -90,6 +90,17 @@ pub(super) fn shape_error(source: &CaseSource, error: &toml::de::Error) -> CaseE
             format!("expected {expected}, found {found} entries"),
         )
         .into()
+    } else if message == "wanted string or table" {
+        // A word of a choice, in the place of which something else stands.
+        let found = source.slice(span.clone()).to_owned();
+        Fault::new(
+            FaultKind::WrongType,
+            source,
+            span,
+            "expected a text in quotes",
+            format!("found {found}"),
+        )
+        .into()
     } else if message.starts_with("wanted exactly 1 element") {
         Fault::new(
             FaultKind::WrongType,

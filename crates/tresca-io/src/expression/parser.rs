@@ -50,6 +50,11 @@ pub(super) fn parse(text: &str) -> Result<Program, ExpressionError> {
             "no `(` belongs to it",
             "remove it, or open it before",
         )),
+        Token::Sign(b',') => Err(parser.fault(
+            "a comma outside the parentheses of a function",
+            "expected an operator or the end",
+            "decimals are written with a point, as in 0.277",
+        )),
         _ => Err(parser.fault(
             "an operator is missing",
             "expected `+`, `-`, `*`, `/` or `^` before this",
@@ -112,20 +117,20 @@ impl<'t> Parser<'t> {
             Some(b'0'..=b'9' | b'.') => {
                 let length = number_length(rest);
                 self.span = start..start + length;
-                match rest[..length].parse() {
-                    Ok(value) => (Token::Number(value), length),
-                    Err(_) => {
+                match rest[..length].parse::<f64>() {
+                    Ok(value) if value.is_finite() => (Token::Number(value), length),
+                    _ => {
                         return Err(self.fault(
                             format!("`{}` is not a number", &rest[..length]),
-                            "expected a number",
+                            "expected a number in the range of double precision",
                             "numbers are written as in 0.3, 16 or 5.0e4",
                         ));
                     }
                 }
             }
-            Some(b'a'..=b'z' | b'A'..=b'Z' | b'_') => {
+            Some(_) if rest.starts_with(|c: char| c.is_alphabetic() || c == '_') => {
                 let length = rest
-                    .find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+                    .find(|c: char| !(c.is_alphanumeric() || c == '_'))
                     .unwrap_or(rest.len());
                 (Token::Name(&rest[..length]), length)
             }
@@ -323,15 +328,10 @@ impl<'t> Parser<'t> {
             let constants = CONSTANTS.iter().map(|(name, _)| *name);
             VARIABLES.into_iter().chain(constants).chain(functions)
         };
-        // A single letter is close to every other one: no guess then.
-        let near = match name.len() {
-            1 => None,
-            _ => nearest(name, names()),
-        };
         let all: Vec<&str> = names().collect();
         self.fault(
             format!("`{name}` has no meaning in an expression"),
-            match near {
+            match nearest(name, names()) {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => "expected a variable, a constant or a function".to_owned(),
             },

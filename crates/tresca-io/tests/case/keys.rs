@@ -17,7 +17,7 @@ fn a_misspelt_key_of_a_material() {
        ·                                ╰── did you mean `poisson`?
      7 │
        ╰────
-      help: the keys that belong here are `young` and `poisson`
+      help: the keys that belong here are `young`, `poisson` and `density`
     "#);
 }
 
@@ -38,7 +38,8 @@ title = "#,
        ·    ╰── not a key of this table
      2 │ title = "Two bricks with Tresca friction"
        ╰────
-      help: the keys that belong here are `title`, `body`, `clamp`, `traction`, `contact` and `solver`
+      help: the keys that belong here are `title`, `analysis`, `body`, `clamp`, `support`, `traction`,
+            `pressure`, `body_force`, `gravity`, `contact`, `step` and `solver`
     "#);
 }
 
@@ -56,7 +57,8 @@ fn a_misspelt_table() {
         ·       ╰── did you mean `traction`?
      17 │ on = ["upper.z+", "upper.x-"]
         ╰────
-      help: the keys that belong here are `title`, `body`, `clamp`, `traction`, `contact` and `solver`
+      help: the keys that belong here are `title`, `analysis`, `body`, `clamp`, `support`, `traction`,
+            `pressure`, `body_force`, `gravity`, `contact`, `step` and `solver`
     "#);
 }
 
@@ -92,7 +94,8 @@ fn a_misspelt_key_of_friction() {
         ·                                ╰── did you mean `bound`?
      23 │
         ╰────
-      help: the keys that belong here are `law` and `bound`
+      help: the keys that belong here are `law`, `bound`, `bounds`, `coefficient`, `coefficients`,
+            `axis` and `limit`
     "#);
 }
 

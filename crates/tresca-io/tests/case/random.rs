@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use crate::support::{GOOD, parse, render};
+use crate::support::{GOOD, PLANE, RICH, parse, render};
 
 fn survives(text: &str) {
     if let Err(error) = parse(text) {
@@ -56,6 +56,16 @@ fn scrap() -> impl Strategy<Value = String> {
             "{}",
             "[]",
             "`, expected `",
+            "analysis = \"axisymmetric\"",
+            "[[support]]",
+            "[[step]]",
+            "{ file = \"none.csv\" }",
+            "\"2*x\"",
+            "\"-(z^\"",
+            "law = \"coulomb\"",
+            "coefficients = [1, 2]",
+            "increments = 3",
+            "push",
         ])
         .prop_map(str::to_owned),
         any::<char>().prop_map(String::from),
@@ -76,9 +86,10 @@ proptest! {
 
     #[test]
     fn mutations_of_a_good_case(
+        good in prop::sample::select(vec![GOOD, RICH, PLANE]),
         edits in prop::collection::vec((any::<usize>(), 0_usize..12, scrap()), 1..4),
     ) {
-        let mut text = GOOD.to_owned();
+        let mut text = good.to_owned();
         for (place, length, scrap) in edits {
             let start = at(&text, place);
             let end = at(&text, start + length.min(text.len() - start)).max(start);
@@ -88,14 +99,18 @@ proptest! {
     }
 
     #[test]
-    fn exchanged_values(from in 0_usize..64, to in 0_usize..64) {
-        let values: Vec<&str> = GOOD
+    fn exchanged_values(
+        good in prop::sample::select(vec![GOOD, RICH, PLANE]),
+        from in any::<usize>(),
+        to in any::<usize>(),
+    ) {
+        let values: Vec<&str> = good
             .split(['\n', ' ', ',', '[', ']', '{', '}', '='])
             .filter(|word| !word.is_empty())
             .collect();
         let (from, to) = (values[from % values.len()], values[to % values.len()]);
-        survives(&GOOD.replacen(from, to, 1));
-        survives(&GOOD.replace(from, to));
+        survives(&good.replacen(from, to, 1));
+        survives(&good.replace(from, to));
     }
 
     #[test]

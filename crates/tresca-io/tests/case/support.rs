@@ -33,6 +33,124 @@ method = "grssn"
 tolerance = 1e-8
 "#;
 
+/// Every table and every law.
+pub const RICH: &str = r#"title = "Everything"
+analysis = "solid"
+
+[[body]]
+name = "upper"
+mesh = { brick = { min = [0, 0, 1], max = [2, 1, 2], nodes = [5, 3, 3] } }
+map = ["x + 0.1*z", "y", "z"]
+material = { young = 5.0e4, poisson = 0.277, density = 7.8 }
+
+[[body]]
+name = "lower"
+mesh = { brick = { min = [0, 0, 0], max = [2, 1, 1], nodes = [5, 3, 3] } }
+material = { young = 5.0e4, poisson = 0.35 }
+
+[[support]]
+name = "drag"
+on = ["upper.x+"]
+x = 0.5
+z = -0.25
+
+[[support]]
+on = ["lower.z-"]
+y = 0
+
+[[traction]]
+name = "push"
+on = ["upper.z+"]
+value = [0, 0, -1]
+
+[[traction]]
+name = "wave"
+on = ["upper.y+"]
+value = [0, "sin(x)", -1]
+
+[[pressure]]
+name = "water"
+on = ["lower.x-"]
+value = 2
+
+[[pressure]]
+name = "wind"
+on = ["upper.x-"]
+value = "2*z"
+
+[[body_force]]
+name = "swirl"
+value = [0.1, 0.2, 0.3]
+
+[[gravity]]
+name = "weight"
+bodies = ["upper"]
+value = [0, 0, -10]
+
+[[contact]]
+name = "joint"
+pair = ["upper.z-", "lower.z+"]
+friction = { law = "tresca", bound = 0.09 }
+gap = "0.001*x"
+
+[[contact]]
+name = "grain"
+pair = ["upper.x-", "lower.x+"]
+friction = { law = "orthotropic", bounds = [1, "2 + x"], axis = [1, 0, 0] }
+
+[[contact]]
+name = "rub"
+pair = ["upper.y-", "lower.y+"]
+friction = { law = "coulomb", coefficient = 0.3, limit = 7 }
+
+[[contact]]
+name = "rail"
+pair = ["upper.y+", "lower.y-"]
+friction = { law = "bilateral", bound = "0.5*z" }
+
+[[contact]]
+name = "glue"
+pair = ["upper.x+", "lower.x-"]
+friction = { law = "tied" }
+
+[[step]]
+name = "first"
+factors = { push = 0.5 }
+
+[[step]]
+increments = 2
+factors = { wave = 2, joint = 0.5 }
+values = { push = [0, 0, -3], drag = { z = 1 } }
+"#;
+
+/// A plane case.
+pub const PLANE: &str = r#"analysis = "plane_strain"
+
+[[body]]
+name = "block"
+mesh = { rectangle = { min = [0, 0], max = [2, 1], nodes = [5, 3] } }
+material = { young = 1, poisson = 0.3 }
+
+[[body]]
+name = "ground"
+mesh = { rectangle = { min = [0, -1], max = [2, 0], nodes = [5, 3], cells = "triangle" } }
+map = ["x", "y - 0.1*x^2"]
+material = { young = 1, poisson = 0.3 }
+
+[[support]]
+name = "roller"
+on = ["ground.y-"]
+y = 0
+
+[[traction]]
+on = ["block.y+"]
+value = [0, -1]
+
+[[contact]]
+pair = ["block.y-", "ground.y+"]
+friction = { law = "coulomb", coefficient = 0.3 }
+"#;
+
 /// Stands for the settings that the caller brings.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -57,8 +175,13 @@ pub fn parse(text: &str) -> Result<CaseFile<Solver>, CaseError> {
 
 /// The good case with one replacement, which must apply (to the first place where it does).
 pub fn with(from: &str, to: &str) -> String {
-    assert!(GOOD.contains(from), "`{from}` is not in the good case");
-    GOOD.replacen(from, to, 1)
+    changed(GOOD, from, to)
+}
+
+/// A text with one replacement, which must apply (to the first place where it does).
+pub fn changed(text: &str, from: &str, to: &str) -> String {
+    assert!(text.contains(from), "`{from}` is not in this case");
+    text.replacen(from, to, 1)
 }
 
 /// The report on a text that must be refused.

@@ -192,10 +192,10 @@ fn a_text_for_a_mesh() {
      4 │ name = "upper"
      5 │ mesh = "part.msh"
        ·        ─────┬────
-       ·             ╰── expected `brick`
+       ·             ╰── expected one of `brick` and `rectangle`
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
-      help: supported: `brick`
+      help: supported: `brick` and `rectangle`
     "#);
 }
 

@@ -340,10 +340,10 @@ fn an_unknown_mesh_kind() {
      4 │ name = "upper"
      5 │ mesh = { gmsh = "part.msh" }
        ·          ──┬─
-       ·            ╰── expected `brick`
+       ·            ╰── expected one of `brick` and `rectangle`
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
-      help: supported: `brick`
+      help: supported: `brick` and `rectangle`
     "#);
 }
 
@@ -351,20 +351,20 @@ fn an_unknown_mesh_kind() {
 fn an_unknown_law() {
     let text = with(
         r#"law = "tresca", bound = 0.09"#,
-        r#"law = "coulomb", coefficient = 0.3"#,
+        r#"law = "viscous", viscosity = 0.3"#,
     );
     assert_snapshot!(report(&text), @r#"
     case::bad_value
 
-      × the friction law `coulomb` is not supported
+      × the friction law `viscous` is not supported
         ╭─[case.toml:22:20]
      21 │ pair = ["upper.z-", "lower.z+"]
-     22 │ friction = { law = "coulomb", coefficient = 0.3 }
+     22 │ friction = { law = "viscous", viscosity = 0.3 }
         ·                    ────┬────
-        ·                        ╰── expected `tresca`
+        ·                        ╰── expected one of `frictionless`, `tresca`, `orthotropic`, `coulomb`, `tied` and `bilateral`
      23 │
         ╰────
-      help: supported: `tresca`; with `bound = 0.0` it is contact without friction
+      help: supported: `frictionless`, `tresca`, `orthotropic`, `coulomb`, `tied` and `bilateral`
     "#);
 }
 
@@ -382,6 +382,6 @@ fn a_misspelt_law() {
         ·                        ╰── did you mean `tresca`?
      23 │
         ╰────
-      help: supported: `tresca`; with `bound = 0.0` it is contact without friction
+      help: supported: `frictionless`, `tresca`, `orthotropic`, `coulomb`, `tied` and `bilateral`
     "#);
 }
