@@ -8,8 +8,13 @@ use crate::mesh::{Face, FaceTables, Mesh, Space, cell_determinant, gather_points
 use crate::tensor::{cross, norm, sub};
 
 /// f_a = ∫ φ_a t dΓ for a constant traction t (force per area) on some faces.
+///
+/// t is taken out of the integral: nodes that share an area get the same force to the last bit.
 pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
-    traction_field(mesh, faces, |_| traction)
+    let areas = nodal_areas(mesh, faces).into_iter();
+    areas
+        .flat_map(|area| traction.into_iter().take(mesh.dimension()).map(move |t| area * t))
+        .collect()
 }
 
 /// f_a = ∫ φ_a t dΓ for a traction t (force per area) that depends on the point, by each face's full

@@ -97,6 +97,11 @@ impl DualProblem {
         self.balance.as_mut().map_or(Ok(()), |b| b.set_load(rhs))
     }
 
+    /// Forgets what earlier solves have learnt about A, so that the next one counts as the first.
+    pub fn forget(&mut self) {
+        self.memory = None;
+    }
+
     /// Number of unknowns.
     pub fn dim(&self) -> usize {
         self.rhs.len()

@@ -189,7 +189,7 @@ pub fn dual_problem(
     .with_coulomb(assembled.layout.coulomb(&slidings))?;
     Ok(match equality(assembled) {
         None => problem,
-        Some(equality) => problem.with_equality(equality)?,
+        Some(equality) => problem.with_equality(&equality)?,
     })
 }
 

@@ -63,7 +63,7 @@ pub use two_bricks::two_bricks;
 pub use tresca_contact::{Field, Frame, FrictionLaw, Sliding};
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_qcqp::{
-    Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status,
+    CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status,
 };
 
 /// Version of the library, written into every result file.

@@ -117,7 +117,14 @@ fn add(
         LoadKind::Traction { on, value: own } => {
             let own = value.map_or_else(|| own.clone(), VectorField::Constant);
             for surface in on.iter().filter(|surface| surface.body == index) {
-                let part = loads::traction_field(mesh, model.faces(surface), |x| own.at(x));
+                let part = match &own {
+                    VectorField::Constant(value) => {
+                        loads::traction(mesh, model.faces(surface), *value)
+                    }
+                    VectorField::Function(function) => {
+                        loads::traction_field(mesh, model.faces(surface), |x| function(x))
+                    }
+                };
                 axpy(factor, &part, sum);
             }
         }

@@ -188,6 +188,8 @@ impl Prepared {
             }
             steps => steps,
         };
+        // A run counts its own work, whatever was solved before.
+        self.dual.forget();
         let mut state = State {
             relative: vec![0.0; self.assembled.layout.unknowns()],
             solved: None,
@@ -273,7 +275,8 @@ impl Prepared {
         self.dual.set_rhs(layout.dual(&b))?;
         self.dual.set_set(layout.set(&acting.slidings)?)?;
         if self.description.rigid_motions > 0 {
-            self.dual.set_equality_rhs(load_on_motions(assembled, &acting.free_loads))?;
+            let on_motions = load_on_motions(assembled, &acting.free_loads);
+            self.dual.set_equality_rhs(&on_motions)?;
         }
         Ok(energy)
     }

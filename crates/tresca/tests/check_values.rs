@@ -107,7 +107,8 @@ fn grssn_stays_within_its_budget_of_multiplications() {
             engine: Engine::Condensed,
             ..Settings::default()
         };
-        outcome(&model, &mut prepared, &settings).solution
+        let outcome = outcome(&model, &mut prepared, &settings);
+        outcome.last().solution.clone()
     };
     for (tolerance, steps, budget) in [(1e-6, 10, 100), (1e-10, 14, 220)] {
         let grssn = run(Method::Grssn, tolerance);

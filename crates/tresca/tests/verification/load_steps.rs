@@ -16,7 +16,7 @@ name = "nothing"
 factors = { load = 0.0 }
 
 [[step]]
-name = "all again"
+name = "all-again"
 factors = { load = 1.0 }
 "#;
 
