@@ -100,7 +100,9 @@ impl Check<'_> {
                                 format!("{what} is not a finite number"),
                                 format!("the value of this expression is {value:?}"),
                             )
-                            .with_help("this comes from a division by 0, or a function outside its domain")
+                            .with_help(
+                                "this comes from a division by 0, or a function outside its domain",
+                            )
                             .into());
                     }
                     Some(value) => Field::Constant(value),
