@@ -32,6 +32,7 @@ pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFi
         })
     })?;
     let supports = all(keys.support, |keys| check.support(keys, &bodies))?;
+    check.held_once(&clamps, &supports)?;
     let tractions = all(keys.traction, |keys| check.traction(keys, &bodies))?;
     let pressures = all(keys.pressure, |keys| check.pressure(keys, &bodies))?;
     let body_forces = all(keys.body_force, |keys| check.body_force(keys, &bodies))?;

@@ -76,8 +76,8 @@ pub struct CaseFile<S> {
     pub bodies: Vec<Body>,
     /// Surfaces with zero displacement.
     pub clamps: Vec<Clamp>,
-    /// Prescribed components of the displacement. Whether two of them contradict each other at a
-    /// node is for the caller to check, who has the nodes.
+    /// Prescribed components of the displacement, none of them twice on a surface. Whether two
+    /// surfaces contradict each other at a node they share is for the caller to check.
     pub supports: Vec<Support>,
     /// Forces per area. A surface may stand in several of them: they add up.
     pub tractions: Vec<Traction>,
@@ -110,10 +110,11 @@ pub fn read<S: DeserializeOwned + Default>(
     parse(&path.display().to_string(), &text)
 }
 
-/// Checks the text of a case file; `name` is what reports call it.
+/// Checks the text of a case file; `name` is what reports call it. Files that the text refers to
+/// are read, and count from the directory of `name`.
 ///
 /// # Errors
-/// As [`read`], without those of the file system.
+/// As [`read`], without those of reading the case file itself.
 pub fn parse<S: DeserializeOwned + Default>(
     name: &str,
     text: &str,

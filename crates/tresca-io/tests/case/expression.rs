@@ -117,6 +117,12 @@ fn it_is_known_which_coordinates_matter() {
     );
 }
 
+#[test]
+fn expressions_go_between_threads() {
+    fn anywhere<T: Clone + Send + Sync + std::fmt::Debug + 'static>() {}
+    anywhere::<Expression>();
+}
+
 /// The fault in one line: the text with the place marked, what is wrong, and what was expected.
 fn fault(text: &str) -> String {
     let error = Expression::parse(text).unwrap_err();

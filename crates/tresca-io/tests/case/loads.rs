@@ -71,6 +71,65 @@ fn a_support_that_holds_nothing() {
 }
 
 #[test]
+fn components_of_a_surface_may_stand_in_different_supports() {
+    let text = rich("on = [\"lower.z-\"]", "on = [\"lower.z-\", \"upper.x+\"]");
+    assert_eq!(parse(&text).unwrap().supports.len(), 2);
+}
+
+#[test]
+fn a_component_that_is_prescribed_twice() {
+    let text = rich("[[support]]\non", "[[support]]\nz = 1\non");
+    let text = text.replace("[\"lower.z-\"]", "[\"lower.z-\", \"upper.x+\"]");
+    assert_snapshot!(report(&text), @r#"
+    case::duplicate
+
+      × the displacement of "upper.x+" along z is prescribed twice
+        ╭─[case.toml:23:19]
+     16 │ name = "drag"
+     17 │ on = ["upper.x+"]
+        ·       ─────┬────
+        ·            ╰── the first time
+     18 │ x = 0.5
+     19 │ z = -0.25
+     20 │
+     21 │ [[support]]
+     22 │ z = 1
+     23 │ on = ["lower.z-", "upper.x+"]
+        ·                   ─────┬────
+        ·                        ╰── the second time
+     24 │ y = 0
+        ╰────
+      help: a surface may stand in several [[support]] tables with different components; a [[clamp]]
+            holds all of them
+    "#);
+}
+
+#[test]
+fn a_support_of_a_clamped_surface() {
+    let text = format!("{RICH}[[clamp]]\non = [\"lower.z-\"]\n");
+    assert_snapshot!(report(&text), @r#"
+    case::duplicate
+
+      × the displacement of "lower.z-" along y is prescribed twice
+        ╭─[case.toml:22:7]
+     21 │ [[support]]
+     22 │ on = ["lower.z-"]
+        ·       ─────┬────
+        ·            ╰── the second time
+     23 │ y = 0
+        ╰────
+        ╭─[case.toml:89:7]
+     88 │ [[clamp]]
+     89 │ on = ["lower.z-"]
+        ·       ─────┬────
+        ·            ╰── the first time
+        ╰────
+      help: a surface may stand in several [[support]] tables with different components; a [[clamp]]
+            holds all of them
+    "#);
+}
+
+#[test]
 fn a_support_that_is_not_finite() {
     assert_snapshot!(report(&rich("x = 0.5", "x = inf")), @r#"
     case::bad_value
