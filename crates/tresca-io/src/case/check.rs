@@ -7,9 +7,9 @@ use toml::Spanned;
 use super::CaseFile;
 use super::error::{CaseError, Fault, FaultKind};
 use super::keys::{Analysis, CaseKeys};
+use super::loading::Loading;
 use super::loads::Clamp;
 use super::source::{CaseSource, Span};
-use super::steps::Loading;
 
 /// Longest name of anything, in bytes: names become parts of names of files.
 const MAX_NAME: usize = 64;

@@ -3,8 +3,9 @@
 use toml::Spanned;
 
 use super::check::Check;
+use super::entries::{FieldKeys, list_of_numbers};
 use super::error::{CaseError, FaultKind};
-use super::keys::{Analysis, FieldKeys, list_of_numbers};
+use super::keys::Analysis;
 use super::samples::Samples;
 use super::source::Span;
 use crate::expression::{Expression, VARIABLES};

@@ -27,13 +27,16 @@
 //! What needs a mesh, a stiffness or the list of solver settings is checked by whoever has it, and
 //! reported through [`CaseError::semantic`] with a span kept here or found by [`CaseSource::locate`].
 
+mod amounts;
 mod body;
 mod check;
 mod contact;
+mod entries;
 mod error;
 mod fields;
 mod friction;
 mod keys;
+mod loading;
 mod loads;
 mod precheck;
 mod samples;
@@ -50,16 +53,18 @@ use serde::Deserialize;
 use serde::de::{DeserializeOwned, IntoDeserializer};
 use toml::de::DeTable;
 
+pub use amounts::{Amount, Amounts, Quantity};
 pub use body::Body;
 pub use contact::Contact;
+pub use entries::{Components, Pair, Triple};
 pub use error::{CaseError, Fault, FaultKind};
 pub use fields::{Field, VectorField};
 pub use friction::{Friction, LAWS};
-pub use keys::{Analysis, Brick, Components, Material, Mesh, Pair, PlaneCells, Rectangle, Triple};
+pub use keys::{Analysis, Brick, Material, Mesh, PlaneCells, Rectangle};
 pub use loads::{BodyForce, Clamp, Gravity, Pressure, Support, Traction};
 pub use samples::Samples;
 pub use source::{CaseSource, Span};
-pub use steps::{Amount, Amounts, MAX_INCREMENTS, Quantity, Step};
+pub use steps::{MAX_INCREMENTS, Step};
 pub use surface::Surface;
 pub use values::MAX_NODES;
 
