@@ -111,7 +111,7 @@ pub struct ContactFields<'a> {
     /// Whether the tangential force is below the slip bound. With Tresca's law an open point may
     /// stick or slip, too.
     pub sticking: &'a [bool],
-    /// Numbers of the friction laws, positions in [`LAWS`](crate::case::LAWS); the field
+    /// Numbers of the friction laws, positions in [`LAWS`]; the field
     /// `friction_law`, with a fact that says what the numbers mean. `None` leaves both out.
     pub friction_law: Option<&'a [u8]>,
     /// Further fields on the points, written behind the others.

@@ -7,9 +7,9 @@ use toml::Spanned;
 use super::CaseFile;
 use super::error::{CaseError, Fault, FaultKind};
 use super::keys::{Analysis, CaseKeys};
+use super::loading::Loading;
 use super::loads::Clamp;
 use super::source::{CaseSource, Span};
-use super::steps::Loading;
 
 /// Longest name of anything, in bytes: names become parts of names of files.
 const MAX_NAME: usize = 64;
@@ -32,6 +32,7 @@ pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFi
         })
     })?;
     let supports = all(keys.support, |keys| check.support(keys, &bodies))?;
+    check.held_once(&clamps, &supports)?;
     let tractions = all(keys.traction, |keys| check.traction(keys, &bodies))?;
     let pressures = all(keys.pressure, |keys| check.pressure(keys, &bodies))?;
     let body_forces = all(keys.body_force, |keys| check.body_force(keys, &bodies))?;

@@ -3,8 +3,9 @@
 use toml::Spanned;
 
 use super::check::Check;
+use super::entries::{FieldKeys, list_of_numbers};
 use super::error::{CaseError, FaultKind};
-use super::keys::{Analysis, FieldKeys, list_of_numbers};
+use super::keys::Analysis;
 use super::samples::Samples;
 use super::source::Span;
 use crate::expression::{Expression, VARIABLES};
@@ -100,7 +101,9 @@ impl Check<'_> {
                                 format!("{what} is not a finite number"),
                                 format!("the value of this expression is {value:?}"),
                             )
-                            .with_help("this comes from a division by 0, or a function outside its domain")
+                            .with_help(
+                                "this comes from a division by 0, or a function outside its domain",
+                            )
                             .into());
                     }
                     Some(value) => Field::Constant(value),

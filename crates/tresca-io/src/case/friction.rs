@@ -3,9 +3,10 @@
 use toml::Spanned;
 
 use super::check::Check;
+use super::entries::FieldKeys;
 use super::error::{CaseError, FaultKind};
 use super::fields::{Field, Kind};
-use super::keys::{FieldKeys, FrictionKeys};
+use super::keys::FrictionKeys;
 use super::source::Span;
 use crate::names::listed;
 

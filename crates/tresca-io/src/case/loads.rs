@@ -9,6 +9,7 @@ use super::fields::{Field, Kind, VectorField};
 use super::keys::{BodyForceKeys, GravityKeys, PressureKeys, SupportKeys, TractionKeys};
 use super::source::Span;
 use super::surface::Surface;
+use crate::expression::VARIABLES;
 use crate::names::{listed, nearest};
 
 /// Surfaces with zero displacement.
@@ -112,6 +113,45 @@ impl Check<'_> {
             displacement,
             span,
         })
+    }
+
+    /// Refuses surfaces of which a component is prescribed twice. Surfaces that share nodes without
+    /// being the same are for the caller to compare.
+    pub(super) fn held_once(
+        &self,
+        clamps: &[Clamp],
+        supports: &[Support],
+    ) -> Result<(), CaseError> {
+        let clamped = clamps.iter().flat_map(|clamp| &clamp.on);
+        let clamped = clamped.map(|surface| (surface, [Some(0.0); 3]));
+        let supported = supports
+            .iter()
+            .flat_map(|support| support.on.iter().map(|on| (on, support.displacement)));
+        // A surface in two clamps is as fixed as in one.
+        let mut known: Vec<(&Surface, [Option<f64>; 3])> = clamped.collect();
+        for (surface, held) in supported {
+            for (other, others) in known.iter().filter(|(other, _)| other.is_same(surface)) {
+                let axis = (0..3).find(|&axis| held[axis].is_some() && others[axis].is_some());
+                let Some(axis) = axis else { continue };
+                let name = self.source.slice(surface.span.clone());
+                let letter = VARIABLES[axis];
+                return Err(self
+                    .fault(
+                        FaultKind::Duplicate,
+                        surface.span.clone(),
+                        format!("the displacement of {name} along {letter} is prescribed twice"),
+                        "the second time",
+                    )
+                    .and_at(other.span.clone(), "the first time")
+                    .with_help(
+                        "a surface may stand in several [[support]] tables with different \
+                         components; a [[clamp]] holds all of them",
+                    )
+                    .into());
+            }
+            known.push((surface, held));
+        }
+        Ok(())
     }
 
     /// Components of a displacement, with no component that the case does not have.

@@ -27,13 +27,16 @@
 //! What needs a mesh, a stiffness or the list of solver settings is checked by whoever has it, and
 //! reported through [`CaseError::semantic`] with a span kept here or found by [`CaseSource::locate`].
 
+mod amounts;
 mod body;
 mod check;
 mod contact;
+mod entries;
 mod error;
 mod fields;
 mod friction;
 mod keys;
+mod loading;
 mod loads;
 mod precheck;
 mod samples;
@@ -50,16 +53,18 @@ use serde::Deserialize;
 use serde::de::{DeserializeOwned, IntoDeserializer};
 use toml::de::DeTable;
 
+pub use amounts::{Amount, Amounts, Quantity};
 pub use body::Body;
 pub use contact::Contact;
+pub use entries::{Components, Pair, Triple};
 pub use error::{CaseError, Fault, FaultKind};
 pub use fields::{Field, VectorField};
 pub use friction::{Friction, LAWS};
-pub use keys::{Analysis, Brick, Components, Material, Mesh, Pair, PlaneCells, Rectangle, Triple};
+pub use keys::{Analysis, Brick, Material, Mesh, PlaneCells, Rectangle};
 pub use loads::{BodyForce, Clamp, Gravity, Pressure, Support, Traction};
 pub use samples::Samples;
 pub use source::{CaseSource, Span};
-pub use steps::{Amount, Amounts, MAX_INCREMENTS, Quantity, Step};
+pub use steps::{MAX_INCREMENTS, Step};
 pub use surface::Surface;
 pub use toml::Spanned;
 pub use values::MAX_NODES;
@@ -77,8 +82,8 @@ pub struct CaseFile<S> {
     pub bodies: Vec<Body>,
     /// Surfaces with zero displacement.
     pub clamps: Vec<Clamp>,
-    /// Prescribed components of the displacement. Whether two of them contradict each other at a
-    /// node is for the caller to check, who has the nodes.
+    /// Prescribed components of the displacement, none of them twice on a surface. Whether two
+    /// surfaces contradict each other at a node they share is for the caller to check.
     pub supports: Vec<Support>,
     /// Forces per area. A surface may stand in several of them: they add up.
     pub tractions: Vec<Traction>,
@@ -111,10 +116,11 @@ pub fn read<S: DeserializeOwned + Default>(
     parse(&path.display().to_string(), &text)
 }
 
-/// Checks the text of a case file; `name` is what reports call it.
+/// Checks the text of a case file; `name` is what reports call it. Files that the text refers to
+/// are read, and count from the directory of `name`.
 ///
 /// # Errors
-/// As [`read`], without those of the file system.
+/// As [`read`], without those of reading the case file itself.
 pub fn parse<S: DeserializeOwned + Default>(
     name: &str,
     text: &str,

@@ -122,7 +122,10 @@ fn read_rows(text: &str, header: &str, what: &str) -> Result<Vec<([f64; 3], f64)
         .map(|(line, text)| (line, text.split(',').map(str::trim).collect::<Vec<_>>()));
     match lines.next() {
         Some((line, found)) if found != columns => {
-            let text = format!("expected the header `{header}`, found `{}`", found.join(","));
+            let text = format!(
+                "expected the header `{header}`, found `{}`",
+                found.join(",")
+            );
             return Err(fault(line, text, "the header of this file is wrong"));
         }
         _ => {}

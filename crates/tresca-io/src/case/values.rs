@@ -3,8 +3,9 @@
 use toml::Spanned;
 
 use super::check::Check;
+use super::entries::Components;
 use super::error::{CaseError, FaultKind};
-use super::keys::{Components, Material};
+use super::keys::Material;
 use crate::expression::VARIABLES;
 
 /// Nodes that one body may have. Three unknowns per node: a hundred million nodes are beyond any

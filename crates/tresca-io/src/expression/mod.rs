@@ -3,8 +3,8 @@
 //! ```
 //! use tresca_io::expression::Expression;
 //!
-//! let bound = Expression::parse("0.09*(1 + x^2)")?;
-//! assert_eq!(bound.at([2.0, 0.0, 0.0]), 0.45);
+//! let bound = Expression::parse("0.5*(1 + x^2)")?;
+//! assert_eq!(bound.at([2.0, 0.0, 0.0]), 2.5);
 //! # Ok::<(), tresca_io::expression::ExpressionError>(())
 //! ```
 //!

@@ -1,8 +1,9 @@
 //! Grids are read back by the `vtkio` crate, and hold what was written.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use tresca_fem::mesh::{BrickSpec, Mesh, brick};
+use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Mesh, brick};
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
 use tresca_io::pvd::{self, Part};
@@ -112,6 +113,57 @@ fn a_body_comes_back() {
         .map(|rest| rest.split('"').nth(1).unwrap())
         .collect();
     assert_eq!(names, ["XX", "YY", "ZZ", "XY", "YZ", "XZ"]);
+}
+
+/// A quadrilateral in the plane: the displacement has two components per node.
+#[test]
+fn a_plane_body_comes_back_with_vectors_of_three_components() {
+    let points = vec![
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [3.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+    ];
+    let block = CellBlock {
+        kind: CellKind::Quad4,
+        connectivity: vec![0, 1, 2, 3],
+    };
+    let mesh = Mesh::new(2, points, vec![block], BTreeMap::new()).unwrap();
+    let displacement = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
+    let stress = [[1.0, 2.0, 3.0, 4.0, 0.0, 0.0]; 4];
+    let temperature = [20.0, 21.0, 22.0, 23.0];
+    let mut body = BodyFields {
+        mesh: &mesh,
+        displacement: &displacement,
+        stress: &stress,
+        von_mises: &[1.0; 4],
+        extra: vec![Field::new("temperature", Values::Scalars(&temperature))],
+        facts: facts(),
+    };
+    let mut file = Vec::new();
+    body.write(&mut file).unwrap();
+    let piece = read(&file);
+    assert_eq!(piece.cells.types, [CellType::Quad]);
+    let fields = &piece.data.point;
+    let names: Vec<&str> = fields.iter().map(Attribute::name).collect();
+    assert_eq!(
+        names,
+        ["displacement", "stress", "von_mises_stress", "temperature"]
+    );
+    let expected = [0.1, 0.2, 0.0, 0.3, 0.4, 0.0, 0.5, 0.6, 0.0, 0.7, 0.8, 0.0];
+    assert_eq!(field(fields, "displacement"), (3, expected.to_vec()));
+    assert_eq!(field(fields, "temperature"), (1, temperature.to_vec()));
+
+    body.extra = vec![Field::new("stress", Values::Scalars(&temperature))];
+    let error = body.write(&mut Vec::new()).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "the name `stress` cannot be used: two fields have it"
+    );
+    body.extra.clear();
+    body.displacement = &displacement[..7];
+    let error = body.write(&mut Vec::new()).unwrap_err().to_string();
+    assert_eq!(error, "`displacement` has 7 values, expected 12");
 }
 
 /// Arrays shorter and longer than a piece of the encoder, and of every length modulo 3.
@@ -252,6 +304,29 @@ fn contact_fields_come_back_with_and_without_faces() {
             assert_eq!(field(fields, name).0, 1, "{name}");
         }
     }
+}
+
+#[test]
+fn contact_fields_in_the_plane_have_lines_laws_and_further_fields() {
+    let contact = Contact::new();
+    let wear = [[0.5, 0.0, 0.0]; 4];
+    let mut fields = contact.fields(vec![Cells {
+        shape: CellShape::Line,
+        connectivity: &[0, 1, 1, 2],
+    }]);
+    fields.friction_law = Some(&[1, 1, 3, 4]);
+    fields.extra = vec![Field::new("wear", Values::Vectors(&wear))];
+    let mut file = Vec::new();
+    fields.write(&mut file).unwrap();
+    let piece = read(&file);
+    assert_eq!(piece.cells.types, [CellType::Line; 2]);
+    let point = &piece.data.point;
+    assert_eq!(field(point, "friction_law"), (1, vec![1.0, 1.0, 3.0, 4.0]));
+    assert_eq!(field(point, "wear"), (3, wear.as_flattened().to_vec()));
+    let text = String::from_utf8(file).unwrap();
+    let meaning = "<!-- friction_law: 0 frictionless, 1 tresca, 2 orthotropic, 3 coulomb, 4 tied, \
+                   5 bilateral -->";
+    assert!(text.contains(meaning), "{text}");
 }
 
 /// What `write` answers, and that it wrote nothing.
