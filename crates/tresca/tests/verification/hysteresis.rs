@@ -32,11 +32,13 @@ fn every_cycle_dissipates_the_same_work() {
         .map(|k| 0.5 * (force(6 + k) + force(5 + k)) * (ram[k] - ram[k - 1]))
         .sum();
     assert!((area.abs() / work[0] - 1.0).abs() < 0.05, "{area} and {}", work[0]);
-    // It is partial slip: the middle of the contact sticks throughout.
+    // It is partial slip: the middle of the contact sticks throughout, and at the end of every stroke its
+    // edges slip.
     for step in &steps[7..] {
-        let sticking = step.pairs().filter(|pair| pair.closed && pair.stick).count();
-        let slipping = step.pairs().filter(|pair| pair.closed && !pair.stick).count();
-        assert!(sticking > 0, "step {} slips as a whole", step.number);
-        assert!(slipping > 0 || step.number % 12 == 8, "step {}", step.number);
+        let closed = || step.pairs().filter(|pair| pair.closed);
+        assert!(closed().any(|pair| pair.stick), "step {} slips as a whole", step.number);
+        if (step.number - 7) % 12 == 0 {
+            assert!(closed().any(|pair| !pair.stick), "step {}", step.number);
+        }
     }
 }

@@ -61,13 +61,15 @@ fn a_bilateral_joint_transmits_what_its_bound_allows() {
     let solve = |law: &str| {
         let own = "law = \"bilateral\", bound = \"0.2 + 0.01*x\"";
         let outcome = solved(&variant("glued-beam.toml", &[(own, law)]));
+        let deflection = tip_deflection(&outcome);
         for pair in &outcome.last().contacts[1] {
-            assert!(pair.closed && pair.gap.abs() < 1e-8, "a bilateral joint never opens: {} {:e}", pair.closed, pair.gap);
+            assert!(pair.closed && pair.gap.abs() < 1e-7 * deflection, "it never opens");
         }
         for pair in &outcome.last().contacts[0] {
-            assert!(pair.local_slip.iter().all(|s| s.abs() < 1e-8), "glue does not slip");
+            let slips = pair.local_slip.iter().any(|s| s.abs() > 1e-7 * deflection);
+            assert!(!slips, "glue does not slip");
         }
-        tip_deflection(&outcome)
+        deflection
     };
     let loose = solve("law = \"bilateral\"");
     let partly = solve("law = \"bilateral\", bound = \"0.2 + 0.01*x\"");
