@@ -76,6 +76,9 @@ pub enum Experiment {
     /// Two bricks: iterations and multiplications by A of IMSSN, SSN, APGD and GRSSN beside the
     /// published counts, with times, memory and the ratio to one linear solve.
     Table1(Table1Arguments),
+    /// Two bricks with Coulomb's law: updates of the bounds and multiplications by A of both variants,
+    /// beside one solve with the final bounds frozen.
+    Coulomb(CoulombArguments),
 }
 
 #[derive(Debug, Args)]
@@ -97,6 +100,22 @@ pub struct Table1Arguments {
     /// Leave out IMSSN, SSN and APGD: GRSSN and the ratio to the linear solve alone.
     #[arg(long)]
     pub grssn_only: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct CoulombArguments {
+    /// Nodes per edge of each brick.
+    #[arg(long, value_delimiter = ',', default_values_t = [16, 21])]
+    pub sizes: Vec<usize>,
+    /// Friction coefficients.
+    #[arg(long, value_delimiter = ',', default_values_t = [0.1, 0.3, 0.6, 1.0])]
+    pub coefficients: Vec<f64>,
+    /// Tolerance of all solves.
+    #[arg(long, default_value_t = 1e-6)]
+    pub tolerance: f64,
+    /// Number of threads (default: all processors).
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]

@@ -118,6 +118,9 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
             )
         })
         .collect::<Result<Vec<_>, _>>()?;
+    if contacts.iter().all(|data| data.pairs.is_empty()) {
+        return Err(ModelError::NoFreePairs);
+    }
     let openings = model.contacts().iter().map(|contact| contact.friction.opening());
     let pairs = openings
         .zip(&contacts)

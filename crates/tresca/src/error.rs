@@ -99,6 +99,9 @@ pub enum ModelError {
     /// A model without contact.
     #[error("the model has no contact: nothing to solve beyond linear elasticity")]
     NoContact,
+    /// Contacts without a pair that can move.
+    #[error("supports hold both nodes of every contact pair: no contact can act")]
+    NoFreePairs,
     /// A body that can move rigidly, and that no contact can hold.
     #[error(
         "body `{body}` is not held: its supports leave {} rigid motion(s) free ({}), and no contact \

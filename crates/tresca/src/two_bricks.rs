@@ -46,8 +46,23 @@ impl Units {
 /// # Errors
 /// When s < 2.
 pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
+    two_bricks_with(s, units, FrictionLaw::tresca(0.09 * units.stress))
+}
+
+/// The same bricks with another law of friction.
+///
+/// # Errors
+/// When s < 2, or the law has impossible figures.
+pub fn two_bricks_with(
+    s: usize,
+    units: Units,
+    friction: FrictionLaw,
+) -> Result<Model, ModelError> {
     let surface = |body, faces| SurfaceRef { body, faces };
-    let mut model = Model::new(format!("Two bricks with Tresca friction, s = {s}"));
+    let mut model = Model::new(format!(
+        "Two bricks with {} friction, s = {s}",
+        friction.name()
+    ));
     for (name, low, poisson) in [("upper", 1.0, 0.277), ("lower", 0.0, 0.35)] {
         let in_body = |source| ModelError::Body {
             body: name.to_owned(),
@@ -67,7 +82,6 @@ pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
         .clamp(surface("lower", "x-"))?;
     let loaded = [surface("upper", "z+"), surface("upper", "x-")];
     model.add_traction(&loaded, [0.0, 0.0, -units.stress])?;
-    let friction = FrictionLaw::tresca(0.09 * units.stress);
     model.add_contact(surface("upper", "z-"), surface("lower", "z+"), friction)?;
     Ok(model)
 }

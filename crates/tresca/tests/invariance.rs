@@ -2,9 +2,9 @@
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
-use tresca::two_bricks::Units;
+use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{
-    Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef, solve,
+    CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef, solve,
     two_bricks,
 };
 
@@ -75,6 +75,86 @@ fn counts_do_not_depend_on_units_and_the_answer_converts() {
             let converted: Vec<f64> = solution.lambda.iter().map(|x| x / force).collect();
             assert_close(&converted, &reference.lambda, 100.0 * tolerance);
         }
+    }
+}
+
+/// Coulomb's law in both variants: the outer iteration counts the same in every unit.
+#[test]
+fn coulomb_counts_do_not_depend_on_units() {
+    for coulomb in [CoulombMethod::FixedPoint, CoulombMethod::InLoop] {
+        let solve_in = |units: Units| {
+            let model = two_bricks_with(S, units, FrictionLaw::coulomb(0.3)).unwrap();
+            let settings = Settings {
+                coulomb,
+                engine: Engine::Condensed,
+                ..Settings::default()
+            };
+            match solve(&model, &settings, &mut Silent).unwrap() {
+                Run::Finished(outcome) => outcome.last().solution.clone(),
+                Run::Stopped(_) => unreachable!("nobody stops this run"),
+            }
+        };
+        let reference = solve_in(Units::METRE_MEGAPASCAL);
+        for units in [Units::MILLIMETRE_MEGAPASCAL, Units::SI] {
+            let solution = solve_in(units);
+            assert_eq!(solution.outer_iterations, reference.outer_iterations, "{coulomb}");
+            assert!(
+                solution.iterations.abs_diff(reference.iterations) <= 1
+                    && solution.n_a.abs_diff(reference.n_a) <= 2,
+                "{coulomb} in {units:?}: {} / {} instead of {} / {}",
+                solution.iterations,
+                solution.n_a,
+                reference.iterations,
+                reference.n_a
+            );
+        }
+    }
+}
+
+/// A brick on a brick, pushed, that only contact holds.
+fn resting(units: Units) -> Model {
+    let surface = |body, faces| SurfaceRef { body, faces };
+    let mut model = Model::new("resting");
+    for (name, low) in [("upper", 1.0), ("lower", 0.0)] {
+        let spec = BrickSpec {
+            min: [0.0, 0.0, low * units.length],
+            max: [2.0 * units.length, units.length, (low + 1.0) * units.length],
+            nodes: [S; 3],
+        };
+        let material = Isotropic::new(5.0e4 * units.stress, 0.3).unwrap();
+        let mesh = brick(&spec).unwrap();
+        model.add_body(name, mesh, material).unwrap();
+    }
+    model.clamp(surface("lower", "z-")).unwrap();
+    let push = [0.1, 0.05, -1.0].map(|t| t * units.stress);
+    model.add_traction(&[surface("upper", "z+")], push).unwrap();
+    let law = FrictionLaw::tresca(0.2 * units.stress);
+    model
+        .add_contact(surface("upper", "z-"), surface("lower", "z+"), law)
+        .unwrap();
+    model
+}
+
+#[test]
+fn floating_bodies_do_not_depend_on_units() {
+    let reference = run(&resting(Units::METRE_MEGAPASCAL));
+    assert!(reference.converged() && reference.description.rigid_motions == 6);
+    let reference = &reference.last().solution;
+    for units in [Units::MILLIMETRE_MEGAPASCAL, Units::SI] {
+        let outcome = run(&resting(units));
+        let solution = &outcome.last().solution;
+        assert!(
+            solution.iterations.abs_diff(reference.iterations) <= 2
+                && solution.n_a.abs_diff(reference.n_a) <= 6,
+            "{units:?}: {} / {} instead of {} / {}",
+            solution.iterations,
+            solution.n_a,
+            reference.iterations,
+            reference.n_a
+        );
+        let force = units.stress * units.length.powi(2);
+        let converted: Vec<f64> = solution.lambda.iter().map(|x| x / force).collect();
+        assert_close(&converted, &reference.lambda, 1e-7);
     }
 }
 

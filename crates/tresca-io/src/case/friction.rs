@@ -41,7 +41,7 @@ pub enum Friction {
         limit: Option<Spanned<Field>>,
     },
     /// Coulomb's law with coefficients that depend on the direction: the slip bounds along the two axes
-    /// are min(F₁ λν, limit) and min(F₂ λν, limit). In space only.
+    /// are F₁ and F₂ times min(λν, limit/max(F₁, F₂)): the limit is that of the larger bound. In space only.
     OrthotropicCoulomb {
         /// The coefficients F₁ and F₂, finite, 0 or more.
         coefficients: [Spanned<f64>; 2],

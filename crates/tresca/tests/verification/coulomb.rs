@@ -1,7 +1,8 @@
 //! Coulomb's law: both variants, their limits, their work.
 
 use super::support::{assert_close, settings, solved, solved_with, variant};
-use tresca::{CoulombMethod, Engine, Outcome};
+use tresca::two_bricks::{Units, two_bricks_with};
+use tresca::{CoulombMethod, Engine, Field, FrictionLaw, Outcome};
 
 fn bricks(coefficient: &str) -> tresca::case::Case {
     let law = ("coefficient = 0.3", coefficient);
@@ -67,18 +68,8 @@ fn in_loop_updates_cost_little_more_than_a_tresca_solve() {
             .pairs()
             .map(|pair| pair.slip_bounds.unwrap()[0] / pair.pair.area)
             .collect();
-        let bricks = variant("two-bricks.toml", &[("nodes = [16, 16, 16]", "nodes = [9, 9, 9]")]);
-        let mut model = tresca::Model::new("the same bounds");
-        for body in bricks.model.bodies() {
-            model.add_body(&body.name, body.mesh.clone(), body.material).unwrap();
-        }
-        let surface = |body, faces| tresca::SurfaceRef { body, faces };
-        model.clamp(surface("upper", "x+")).unwrap().clamp(surface("lower", "x-")).unwrap();
-        model
-            .add_traction(&[surface("upper", "z+"), surface("upper", "x-")], [0.0, 0.0, -1.0])
-            .unwrap();
-        let law = tresca::FrictionLaw::tresca(tresca::Field::Values(bounds));
-        model.add_contact(surface("upper", "z-"), surface("lower", "z+"), law).unwrap();
+        let law = FrictionLaw::tresca(Field::Values(bounds));
+        let model = two_bricks_with(9, Units::METRE_MEGAPASCAL, law).unwrap();
         let tresca::Run::Finished(tresca) =
             tresca::solve(&model, &settings, &mut tresca::Silent).unwrap()
         else {

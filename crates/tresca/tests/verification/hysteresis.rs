@@ -24,8 +24,8 @@ fn every_cycle_dissipates_the_same_work() {
     // error of the trapezoidal rule between increments.
     let ram: Vec<f64> = (6..=30)
         .map(|step| match step - 6 {
-            k @ 0..=12 => 0.006 - 0.001 * k as f64,
-            k => -0.006 + 0.001 * (k - 12) as f64,
+            k @ 0..=12 => 0.012 - 0.002 * k as f64,
+            k => -0.012 + 0.002 * (k - 12) as f64,
         })
         .collect();
     let area: f64 = (1..ram.len())

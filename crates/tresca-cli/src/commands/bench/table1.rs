@@ -9,14 +9,8 @@ use tresca::output::Destination;
 use tresca::two_bricks::Units;
 use tresca::{Method, Model, Outcome, Prepared, Run, Settings, Silent, Status, memory, two_bricks};
 
-use crate::args::{BenchArguments, Experiment, Table1Arguments, use_threads};
+use crate::args::{Table1Arguments, use_threads};
 use crate::terminal::format::{bytes, grouped, seconds};
-
-pub fn run(arguments: &BenchArguments) -> miette::Result<u8> {
-    match &arguments.experiment {
-        Experiment::Table1(table1) => run_table1(table1),
-    }
-}
 
 /// Iterations and multiplications by A as the founding paper prints them.
 struct Published {
@@ -59,7 +53,7 @@ const PUBLISHED: [Published; 6] = [
     },
 ];
 
-fn run_table1(arguments: &Table1Arguments) -> miette::Result<u8> {
+pub fn run(arguments: &Table1Arguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
     print_legend(arguments);
     let mut all_converged = true;
