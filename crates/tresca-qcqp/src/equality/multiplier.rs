@@ -2,7 +2,7 @@
 
 use super::ascent::{Ascent, Station};
 use super::equilibrium::{self, Equilibrium};
-use super::{Balance, Reach};
+use super::{Balance, Reach, landing};
 use crate::Status;
 use crate::coulomb::CoulombLaw;
 use crate::methods::{Point, compliance};
@@ -15,8 +15,8 @@ use tresca_la::vector::dot;
 const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCE_RATIO: f64 = 0.01;
 /// Relative residual of the systems for H, and the least part of the outer residual it follows.
-const LOOSEST_RESPONSE: f64 = 1e-2;
-const FINEST_RESPONSE: f64 = 1e-6;
+const LOOSEST_RESPONSE: f64 = 3e-2;
+const FINEST_RESPONSE: f64 = 3e-2;
 
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
@@ -48,8 +48,18 @@ pub(crate) fn solve(
     let least_reference = balance.spread(&balance.load);
     let mut ascent = Ascent::new();
     let mut set = problem.set.clone();
-    let mut beta = multiplier.to_vec();
-    let mut lambda = start.map(<[f64]>::to_vec);
+    let (mut beta, mut lambda) = match start {
+        Some(start) => (multiplier.to_vec(), Some(start.to_vec())),
+        None => {
+            let frozen = Reach::frozen(&set);
+            let reach = problem.reach.unwrap_or(&frozen);
+            let (beta, lambda) = landing::guess(session, problem.rhs, balance, reach);
+            if let Some(law) = law {
+                law.bound(&mut set, &law.bounds(&lambda));
+            }
+            (beta, Some(lambda))
+        }
+    };
     let mut tolerance = FIRST_TOLERANCE.max(problem.tolerance);
     let mut updates = 0;
     loop {
