@@ -26,7 +26,13 @@ pub(super) fn guess(
     balance.add_transposed(&minus_load, &mut own_rhs);
     let mut beta = vec![0.0; balance.load.len()];
     // σmax is the compliance of smooth fields, but of those of GᵀSG too.
-    let first = land(balance, reach, &own_rhs, session.memory.spectrum.sigma, &mut beta);
+    let first = land(
+        balance,
+        reach,
+        &own_rhs,
+        session.memory.spectrum.sigma,
+        &mut beta,
+    );
     let measured = compliance_of(session, balance, &first);
     if measured > 0.0 && measured.is_finite() {
         let lambda = land(balance, reach, &own_rhs, measured, &mut beta);
@@ -36,7 +42,13 @@ pub(super) fn guess(
 }
 
 /// Equilibrium on a foundation of the given compliance; moves β, returns λ.
-fn land(balance: &Balance, reach: &Reach, rhs: &[f64], compliance: f64, beta: &mut Vec<f64>) -> Vec<f64> {
+fn land(
+    balance: &Balance,
+    reach: &Reach,
+    rhs: &[f64],
+    compliance: f64,
+    beta: &mut Vec<f64>,
+) -> Vec<f64> {
     let centre: Vec<f64> = rhs.iter().map(|b| b / compliance).collect();
     let foundation = Winkler {
         balance,

@@ -14,9 +14,8 @@ use tresca_la::vector::dot;
 /// solved to.
 const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCE_RATIO: f64 = 0.01;
-/// Relative residual of the systems for H, and the least part of the outer residual it follows.
-const LOOSEST_RESPONSE: f64 = 3e-2;
-const FINEST_RESPONSE: f64 = 3e-2;
+/// Relative residual of the systems for H: each step gains about as much, at little cost.
+const RESPONSE_ACCURACY: f64 = 3e-2;
 
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
@@ -86,6 +85,10 @@ pub(crate) fn solve(
         if !ending.status.is_converged() || balanced && tolerance <= problem.tolerance {
             return ending;
         }
+        if session.journal.stop {
+            ending.status = Status::Interrupted;
+            return ending;
+        }
         if balanced {
             tolerance = problem.tolerance;
             lambda = Some(ending.point.lambda);
@@ -97,15 +100,15 @@ pub(crate) fn solve(
             ending.status = Status::IterationLimit;
             return ending;
         }
-        let accuracy = residual.clamp(FINEST_RESPONSE, LOOSEST_RESPONSE);
         let station = Station {
-            compliance: compliance(session, &ending, &balance.rows, accuracy),
             beta,
-            lambda: ending.point.lambda,
+            lambda: ending.point.lambda.clone(),
             shortfall,
             value: law.is_none().then_some(value),
         };
-        let (next, expected) = ascent.next(station);
+        let (next, expected) = ascent.next(station, || {
+            compliance(session, &ending, &balance.rows, RESPONSE_ACCURACY)
+        });
         (beta, lambda) = (next, Some(expected));
         set = ending.set;
         tolerance = (TOLERANCE_RATIO * residual)

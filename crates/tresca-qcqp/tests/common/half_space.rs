@@ -19,7 +19,9 @@ impl HalfSpace {
     pub fn new(side: usize, poisson: f64) -> Self {
         let h = 1.0 / side as f64;
         let at = |i: usize| (i as f64 + 0.5) * h - 0.5;
-        let points: Vec<[f64; 2]> = (0..side * side).map(|k| [at(k % side), at(k / side)]).collect();
+        let points: Vec<[f64; 2]> = (0..side * side)
+            .map(|k| [at(k % side), at(k / side)])
+            .collect();
         let m = points.len();
         let mut a = vec![vec![0.0; 3 * m]; 3 * m];
         let quarter = 1.0 / (4.0 * std::f64::consts::PI);
@@ -29,9 +31,17 @@ impl HalfSpace {
                 let [x, y] = [points[i][0] - points[j][0], points[i][1] - points[j][1]];
                 let r = x.hypot(y);
                 let inverse = if i == j { 3.525 / h } else { 1.0 / r };
-                let (cx, cy) = if i == j { (0.5_f64.sqrt(), 0.5_f64.sqrt()) } else { (x / r, y / r) };
+                let (cx, cy) = if i == j {
+                    (0.5_f64.sqrt(), 0.5_f64.sqrt())
+                } else {
+                    (x / r, y / r)
+                };
                 let direct = 2.0 * (1.0 - poisson);
-                let cross = if i == j { 0.0 } else { (1.0 - 2.0 * poisson) * quarter * inverse };
+                let cross = if i == j {
+                    0.0
+                } else {
+                    (1.0 - 2.0 * poisson) * quarter * inverse
+                };
                 a[i][j] = direct * quarter * inverse;
                 let (tx, ty) = (m + 2 * i, m + 2 * i + 1);
                 let (sx, sy) = (m + 2 * j, m + 2 * j + 1);
@@ -47,7 +57,10 @@ impl HalfSpace {
                 }
             }
         }
-        Self { points, compliance: a }
+        Self {
+            points,
+            compliance: a,
+        }
     }
 
     pub fn pairs(&self) -> usize {
@@ -87,7 +100,17 @@ impl HalfSpace {
         let load = vec![fx, fy, fz, -height * fy, height * fx, 0.0];
         // The size of S is free: here about the compliance of the whole contact.
         let metric: Vec<Vec<f64>> = (0..6)
-            .map(|i| (0..6).map(|j| if i == j { [0.5, 0.5, 0.5, 4.0, 4.0, 4.0][i] } else { 0.0 }).collect())
+            .map(|i| {
+                (0..6)
+                    .map(|j| {
+                        if i == j {
+                            [0.5, 0.5, 0.5, 4.0, 4.0, 4.0][i]
+                        } else {
+                            0.0
+                        }
+                    })
+                    .collect()
+            })
             .collect();
         let mut gaps = vec![0.0; 3 * m];
         for (gap_of, &point) in gaps.iter_mut().zip(&self.points) {
@@ -97,7 +120,11 @@ impl HalfSpace {
             self.compliance.clone(),
             gaps.iter().map(|d| -d).collect(),
             ProductSet::contact_3d(&vec![0.0; m]).unwrap(),
-            Equality { rows, rhs: load, metric },
+            Equality {
+                rows,
+                rhs: load,
+                metric,
+            },
         )
     }
 
@@ -105,7 +132,12 @@ impl HalfSpace {
     pub fn law(&self, coefficient: f64) -> Vec<CoulombBound> {
         let m = self.pairs();
         (0..m)
-            .map(|i| CoulombBound { block: m + i, normal: i, coefficient, limit: f64::INFINITY })
+            .map(|i| CoulombBound {
+                block: m + i,
+                normal: i,
+                coefficient,
+                limit: f64::INFINITY,
+            })
             .collect()
     }
 }
@@ -141,7 +173,10 @@ impl Floating {
         for (spread, e) in spread.iter().zip(&equality.rhs) {
             b.iter_mut().zip(spread).for_each(|(b, s)| *b += s * e);
         }
-        Self { plain: Plain { a, b, set }, equality }
+        Self {
+            plain: Plain { a, b, set },
+            equality,
+        }
     }
 
     pub fn problem(&self) -> DualProblem {
