@@ -25,6 +25,9 @@ pub(crate) struct Journal {
     pub problems: usize,
     pub n_a_before: usize,
     pub n_a_setup: usize,
+    /// The observer has asked to stop. An inner problem that has just converged says so all the
+    /// same: the outer iterations look here before they begin another.
+    pub stop: bool,
 }
 
 impl Journal {
@@ -101,7 +104,7 @@ impl Session<'_> {
         run.end(status)
     }
 
-    /// What there is to say of a λ that no method has led to. One product.
+    /// What there is to say of a λ that no method has led to. One product, none for λ = 0.
     pub fn evaluate(&mut self, rhs: &[f64], set: &ProductSet, lambda: Vec<f64>) -> Ending {
         methods::ending_at(
             &mut *self.operator,

@@ -39,6 +39,7 @@ pub fn solve(
         problems: 0,
         n_a_before,
         n_a_setup: 0,
+        stop: false,
     };
     if let Some(ending) = at_rest(problem) {
         problem.set = ending.set.clone();

@@ -67,6 +67,10 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
         if settled && tolerance <= session.settings.tolerance {
             return ending;
         }
+        if session.journal.stop {
+            ending.status = Status::Interrupted;
+            return ending;
+        }
         let verdict = history.note(bounds.clone(), ending.outer_residual);
         if let Some(status) = verdict.filter(|_| !settled) {
             ending.status = status;

@@ -13,22 +13,24 @@
 use crate::methods::Compliance;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{ColMut, Side};
-use tresca_la::vector::{axpy, norm};
+use tresca_la::vector::{axpy, dot, norm};
 
 /// ε of the first step.
 const FIRST: f64 = 1e-3;
-/// ε is divided by this after a step that gained, down to [`LEAST`].
+/// ε is divided by this after a full step that was taken, down to [`LEAST`].
 const EASING: f64 = 10.0;
 const LEAST: f64 = 1e-13;
-/// ε is multiplied by this when a few steps have gained nothing.
-const CAUTION: f64 = 1e3;
-/// Steps that may gain nothing: Newton's method comes back from the far side of a kink, where d is
-/// lower than before, in a step or two.
-const PATIENCE: usize = 3;
-/// A residual smaller by this factor is a gain, whatever d says.
+/// Part of the slope that d must gain (Armijo).
+const SUFFICIENT: f64 = 1e-4;
+/// A residual smaller by this factor is a gain, whatever d says: near the end d is rounding.
 const CONTRACTION: f64 = 0.7;
+/// Bounds of the factor by which a step is shortened, and how often, before the step of the method
+/// of multipliers is made.
+const SHORTENED: (f64, f64) = (0.05, 0.7);
+const MAX_SHORTENINGS: usize = 5;
 
 /// A multiplier with what is known there.
+#[derive(Clone)]
 pub(super) struct Station {
     pub beta: Vec<f64>,
     /// λ(β).
@@ -37,72 +39,154 @@ pub(super) struct Station {
     pub shortfall: Vec<f64>,
     /// d(β), as good as the inner solve; `None` where there is no such function (bounds that follow λ).
     pub value: Option<f64>,
-    pub compliance: Compliance,
+}
+
+/// A step, and what it is expected to do to λ.
+struct Direction {
+    beta: Vec<f64>,
+    lambda: Vec<f64>,
+}
+
+/// Where the ascent stands between two inner solves.
+enum Trial {
+    /// The end of the step of this length is awaited.
+    Step { length: f64, shortenings: usize },
+    /// The full step failed, with this slope at its end; what a step from there leads to is awaited.
+    Excursion { slope: f64 },
+    /// The step of the method of multipliers is awaited: it counts, come what may.
+    Careful,
 }
 
 /// The ascent of d.
 pub(super) struct Ascent {
-    best: Option<Station>,
+    base: Option<(Station, Direction)>,
+    trial: Trial,
     epsilon: f64,
-    idle: usize,
 }
 
 impl Ascent {
     pub fn new() -> Self {
         Self {
-            best: None,
+            base: None,
+            trial: Trial::Careful,
             epsilon: FIRST,
-            idle: 0,
         }
     }
 
-    /// The next β, and the λ to be expected there (not projected).
-    pub fn next(&mut self, station: Station) -> (Vec<f64>, Vec<f64>) {
-        if self.gains(&station) {
-            if self.best.is_some() {
+    /// The next β after that of `station`, and the λ to be expected there (not projected).
+    /// `compliance` is asked for H at the station where it is needed.
+    pub fn next(
+        &mut self,
+        station: Station,
+        compliance: impl FnOnce() -> Compliance,
+    ) -> (Vec<f64>, Vec<f64>) {
+        let Some((base, direction)) = self.base.take() else {
+            return self.leave(station, compliance());
+        };
+        let counts = matches!(self.trial, Trial::Careful);
+        if counts || self.gains(&base, &direction, &station) {
+            if !matches!(
+                self.trial,
+                Trial::Step {
+                    shortenings: 1..,
+                    ..
+                }
+            ) {
                 self.epsilon = f64::max(self.epsilon / EASING, LEAST);
             }
-            self.idle = 0;
-            let next = step(&station, self.epsilon);
-            self.best = Some(station);
-            return next;
+            return self.leave(station, compliance());
         }
-        self.idle += 1;
-        match &self.best {
-            Some(best) if self.idle > PATIENCE => {
-                self.idle = 0;
-                self.epsilon = f64::min(self.epsilon * CAUTION, 1.0);
-                step(best, self.epsilon)
+        let slope = dot(&station.shortfall, &direction.beta);
+        let next = match self.trial {
+            Trial::Step { shortenings: 0, .. } => {
+                self.trial = Trial::Excursion { slope };
+                let onwards = direction_at(&station, &compliance(), self.epsilon);
+                along(&station, &onwards, 1.0)
             }
-            _ => step(&station, self.epsilon),
-        }
+            Trial::Excursion { slope } => self.shorten(&base, &direction, 1.0, slope, 0),
+            Trial::Step {
+                length,
+                shortenings,
+            } => self.shorten(&base, &direction, length, slope, shortenings),
+            Trial::Careful => unreachable!("a careful step counts"),
+        };
+        self.base = Some((base, direction));
+        next
     }
 
-    fn gains(&self, station: &Station) -> bool {
-        let Some(best) = &self.best else {
-            return true;
+    /// A new base, and the full step from there.
+    fn leave(&mut self, station: Station, compliance: Compliance) -> (Vec<f64>, Vec<f64>) {
+        let direction = direction_at(&station, &compliance, self.epsilon);
+        let next = along(&station, &direction, 1.0);
+        self.base = Some((station, direction));
+        self.trial = Trial::Step {
+            length: 1.0,
+            shortenings: 0,
         };
-        let higher = match (station.value, best.value) {
-            (Some(value), Some(best)) => value > best,
+        next
+    }
+
+    /// The step of a length that failed with `slope` at its end, cut where the slope along it would
+    /// vanish if it fell linearly; after a few such cuts, the step of the method of multipliers.
+    fn shorten(
+        &mut self,
+        base: &Station,
+        direction: &Direction,
+        length: f64,
+        slope: f64,
+        shortenings: usize,
+    ) -> (Vec<f64>, Vec<f64>) {
+        if shortenings >= MAX_SHORTENINGS {
+            self.trial = Trial::Careful;
+            let mut beta = base.beta.clone();
+            axpy(1.0, &base.shortfall, &mut beta);
+            return (beta, base.lambda.clone());
+        }
+        let first = dot(&base.shortfall, &direction.beta);
+        let factor = (first / (first - slope)).clamp(SHORTENED.0, SHORTENED.1);
+        // A slope that has not fallen says nothing of where to stop.
+        let factor = if slope < first { factor } else { SHORTENED.1 };
+        self.trial = Trial::Step {
+            length: factor * length,
+            shortenings: shortenings + 1,
+        };
+        along(base, direction, factor * length)
+    }
+
+    fn gains(&self, base: &Station, direction: &Direction, station: &Station) -> bool {
+        let length = match self.trial {
+            Trial::Step { length, .. } => length,
+            Trial::Excursion { .. } | Trial::Careful => 1.0,
+        };
+        let wanted = SUFFICIENT * length * dot(&base.shortfall, &direction.beta);
+        let higher = match (station.value, base.value) {
+            (Some(value), Some(base)) => value >= base + wanted,
             _ => false,
         };
-        higher || norm(&station.shortfall) < CONTRACTION * norm(&best.shortfall)
+        higher || norm(&station.shortfall) < CONTRACTION * norm(&base.shortfall)
     }
 }
 
-fn step(from: &Station, epsilon: f64) -> (Vec<f64>, Vec<f64>) {
-    let mut matrix = from.compliance.matrix.clone();
+/// (H + εI)⁻¹ (ẽ − G̃λ).
+fn direction_at(from: &Station, compliance: &Compliance, epsilon: f64) -> Direction {
+    let mut matrix = compliance.matrix.clone();
     (0..matrix.nrows()).for_each(|i| matrix[(i, i)] += epsilon);
-    let mut change = from.shortfall.clone();
-    match Llt::new(matrix.as_ref(), Side::Lower) {
-        Ok(factor) => factor.solve_in_place(ColMut::from_slice_mut(&mut change)),
-        // H is positive semidefinite but for the accuracy of its columns: the multiplier step stands.
-        Err(_) => {}
+    let mut beta = from.shortfall.clone();
+    // H is positive semidefinite but for the accuracy of its columns; if that was too little, the
+    // step of the method of multipliers stands.
+    if let Ok(factor) = Llt::new(matrix.as_ref(), Side::Lower) {
+        factor.solve_in_place(ColMut::from_slice_mut(&mut beta));
     }
-    let (mut beta, mut lambda) = (from.beta.clone(), from.lambda.clone());
-    axpy(1.0, &change, &mut beta);
-    for (response, change) in from.compliance.responses.iter().zip(&change) {
+    let mut lambda = vec![0.0; from.lambda.len()];
+    for (response, change) in compliance.responses.iter().zip(&beta) {
         axpy(*change, response, &mut lambda);
     }
+    Direction { beta, lambda }
+}
+
+fn along(from: &Station, direction: &Direction, length: f64) -> (Vec<f64>, Vec<f64>) {
+    let (mut beta, mut lambda) = (from.beta.clone(), from.lambda.clone());
+    axpy(length, &direction.beta, &mut beta);
+    axpy(length, &direction.lambda, &mut lambda);
     (beta, lambda)
 }

@@ -6,8 +6,10 @@
 
 mod ascent;
 mod equilibrium;
+mod landing;
 mod multiplier;
 mod reach;
+mod winkler;
 
 pub(crate) use multiplier::{Balanced, solve, without_equilibrium};
 pub(crate) use reach::Reach;

@@ -2,7 +2,7 @@
 
 use super::ascent::{Ascent, Station};
 use super::equilibrium::{self, Equilibrium};
-use super::{Balance, Reach};
+use super::{Balance, Reach, landing};
 use crate::Status;
 use crate::coulomb::CoulombLaw;
 use crate::methods::{Point, compliance};
@@ -14,9 +14,8 @@ use tresca_la::vector::dot;
 /// solved to.
 const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCE_RATIO: f64 = 0.01;
-/// Relative residual of the systems for H, and the least part of the outer residual it follows.
-const LOOSEST_RESPONSE: f64 = 1e-2;
-const FINEST_RESPONSE: f64 = 1e-6;
+/// Relative residual of the systems for H: each step gains about as much, at little cost.
+const RESPONSE_ACCURACY: f64 = 3e-2;
 
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
@@ -48,8 +47,18 @@ pub(crate) fn solve(
     let least_reference = balance.spread(&balance.load);
     let mut ascent = Ascent::new();
     let mut set = problem.set.clone();
-    let mut beta = multiplier.to_vec();
-    let mut lambda = start.map(<[f64]>::to_vec);
+    let (mut beta, mut lambda) = match start {
+        Some(start) => (multiplier.to_vec(), Some(start.to_vec())),
+        None => {
+            let frozen = Reach::frozen(&set);
+            let reach = problem.reach.unwrap_or(&frozen);
+            let (beta, lambda) = landing::guess(session, problem.rhs, balance, reach);
+            if let Some(law) = law {
+                law.bound(&mut set, &law.bounds(&lambda));
+            }
+            (beta, Some(lambda))
+        }
+    };
     let mut tolerance = FIRST_TOLERANCE.max(problem.tolerance);
     let mut updates = 0;
     loop {
@@ -76,6 +85,10 @@ pub(crate) fn solve(
         if !ending.status.is_converged() || balanced && tolerance <= problem.tolerance {
             return ending;
         }
+        if session.journal.stop {
+            ending.status = Status::Interrupted;
+            return ending;
+        }
         if balanced {
             tolerance = problem.tolerance;
             lambda = Some(ending.point.lambda);
@@ -87,15 +100,15 @@ pub(crate) fn solve(
             ending.status = Status::IterationLimit;
             return ending;
         }
-        let accuracy = residual.clamp(FINEST_RESPONSE, LOOSEST_RESPONSE);
         let station = Station {
-            compliance: compliance(session, &ending, &balance.rows, accuracy),
             beta,
-            lambda: ending.point.lambda,
+            lambda: ending.point.lambda.clone(),
             shortfall,
             value: law.is_none().then_some(value),
         };
-        let (next, expected) = ascent.next(station);
+        let (next, expected) = ascent.next(station, || {
+            compliance(session, &ending, &balance.rows, RESPONSE_ACCURACY)
+        });
         (beta, lambda) = (next, Some(expected));
         set = ending.set;
         tolerance = (TOLERANCE_RATIO * residual)

@@ -152,12 +152,7 @@ impl<'a> Run<'a> {
 
     /// The point at λ: one multiplication, none for λ = 0.
     pub fn point(&mut self, lambda: Vec<f64>) -> Point {
-        let mut gradient = vec![0.0; lambda.len()];
-        if lambda.iter().any(|&l| l != 0.0) {
-            self.operator.apply(&lambda, &mut gradient);
-        }
-        axpy(-1.0, self.rhs, &mut gradient);
-        Point { lambda, gradient }
+        point_at(self.operator, self.rhs, lambda)
     }
 
     /// The point at λ, where `known` may be that very point.
@@ -263,6 +258,7 @@ impl<'a> Run<'a> {
         let record = self.record(&judged, step);
         self.note_progress(&judged, self.iterations);
         let stop = self.observer.iteration(&record).is_break();
+        self.journal.stop |= stop;
         self.journal.records.push(record);
         self.last = Some(judged);
         let iteration = self.iterations;
@@ -339,6 +335,16 @@ pub(crate) fn zero_ending(rhs: &[f64], set: ProductSet) -> Ending {
     ending(Status::Converged, zero, set, 0.0)
 }
 
+/// λ and its gradient: one multiplication, none for λ = 0.
+fn point_at(operator: &mut dyn DualOperator, rhs: &[f64], lambda: Vec<f64>) -> Point {
+    let mut gradient = vec![0.0; lambda.len()];
+    if lambda.iter().any(|&l| l != 0.0) {
+        operator.apply(&lambda, &mut gradient);
+    }
+    axpy(-1.0, rhs, &mut gradient);
+    Point { lambda, gradient }
+}
+
 /// P_Λ(λ) as an end, with the status left to the caller.
 pub(crate) fn ending_at(
     operator: &mut dyn DualOperator,
@@ -348,10 +354,7 @@ pub(crate) fn ending_at(
     mut lambda: Vec<f64>,
 ) -> Ending {
     set.project(&mut lambda);
-    let mut gradient = vec![0.0; rhs.len()];
-    operator.apply(&lambda, &mut gradient);
-    axpy(-1.0, rhs, &mut gradient);
-    let point = Point { lambda, gradient };
+    let point = point_at(operator, rhs, lambda);
     let (reference, _) = reduced_gradient(&set, &Point::zero(rhs), 1.0 / sigma);
     let (norm, active) = reduced_gradient(&set, &point, 1.0 / sigma);
     let relative = relative(norm, reference);

@@ -1,6 +1,7 @@
 //! Random problems and an independent oracle for the integration tests.
 #![allow(dead_code)] // each test file uses its part
 
+pub mod half_space;
 pub mod oracle;
 pub mod problems;
 

@@ -3,12 +3,17 @@
 use super::Plain;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, SupportedConeT, SupportedConeT::*,
+    DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT, SupportedConeT::*,
 };
 use tresca_qcqp::sets::BlockSet;
 
 /// The minimiser: ½ xᵀAx − bᵀx subject to s = h − Gx in a product of cones.
 pub fn minimiser(plain: &Plain) -> Vec<f64> {
+    constrained_minimiser(plain, &[], &[]).expect("Λ is not empty")
+}
+
+/// The minimiser under `rows` x = `rhs` besides; `None` when Clarabel proves that there is none.
+pub fn constrained_minimiser(plain: &Plain, rows: &[Vec<f64>], rhs: &[f64]) -> Option<Vec<f64>> {
     let n = plain.dim();
     let mut p = Triplets::default();
     for j in 0..n {
@@ -46,6 +51,13 @@ pub fn minimiser(plain: &Plain) -> Vec<f64> {
             }
         }
     }
+    for (row, e) in rows.iter().zip(rhs) {
+        for (j, value) in row.iter().enumerate() {
+            g.push(h.len(), j, *value);
+        }
+        h.push(*e);
+        cones.push(ZeroConeT(1));
+    }
     solve(&p.csc(n, n), plain, &g.csc(h.len(), n), &h, &cones)
 }
 
@@ -55,7 +67,7 @@ fn solve(
     g: &CscMatrix<f64>,
     h: &[f64],
     cones: &[SupportedConeT<f64>],
-) -> Vec<f64> {
+) -> Option<Vec<f64>> {
     let settings = DefaultSettings {
         verbose: false,
         max_iter: 200,
@@ -67,8 +79,13 @@ fn solve(
     let q: Vec<f64> = plain.b.iter().map(|b| -b).collect();
     let mut solver = DefaultSolver::new(p, &q, g, h, cones, settings).unwrap();
     solver.solve();
+    let status = solver.solution.status;
+    let infeasible = matches!(
+        status,
+        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible
+    );
     // The status may be "almost solved" at such tolerances: the caller judges the point.
-    solver.solution.x
+    (!infeasible).then(|| std::mem::take(&mut solver.solution.x))
 }
 
 #[derive(Default)]
