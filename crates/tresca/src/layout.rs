@@ -119,7 +119,11 @@ impl Layout {
         let first = self.pairs.len() + self.tangents * pair;
         [
             values[first],
-            if self.tangents == 2 { values[first + 1] } else { 0.0 },
+            if self.tangents == 2 {
+                values[first + 1]
+            } else {
+                0.0
+            },
         ]
     }
 
@@ -153,28 +157,33 @@ impl Layout {
                 Opening::Never => BlockSet::Line(Line),
             },
         });
-        let tangentials = self.pairs.iter().zip(slidings).enumerate().flat_map(
-            |(i, (pair, sliding))| {
-                let first = m + self.tangents * i;
-                let bounds = sliding.bounds(0.0);
-                match (pair.shape, bounds) {
-                    (Shape::Disc, Some([a, b])) => vec![Block {
-                        start: first,
-                        set: BlockSet::Disc(Disc { bound: a.max(b) }),
-                    }],
-                    _ => (0..self.tangents)
-                        .map(|t| Block {
-                            start: first + t,
-                            set: match bounds {
-                                _ if !pair.mobility.tangents[t] => POINT,
-                                None => BlockSet::Line(Line),
-                                Some(bounds) => BlockSet::Interval(Interval { bound: bounds[t] }),
-                            },
-                        })
-                        .collect(),
-                }
-            },
-        );
+        let tangentials =
+            self.pairs
+                .iter()
+                .zip(slidings)
+                .enumerate()
+                .flat_map(|(i, (pair, sliding))| {
+                    let first = m + self.tangents * i;
+                    let bounds = sliding.bounds(0.0);
+                    match (pair.shape, bounds) {
+                        (Shape::Disc, Some([a, b])) => vec![Block {
+                            start: first,
+                            set: BlockSet::Disc(Disc { bound: a.max(b) }),
+                        }],
+                        _ => (0..self.tangents)
+                            .map(|t| Block {
+                                start: first + t,
+                                set: match bounds {
+                                    _ if !pair.mobility.tangents[t] => POINT,
+                                    None => BlockSet::Line(Line),
+                                    Some(bounds) => {
+                                        BlockSet::Interval(Interval { bound: bounds[t] })
+                                    }
+                                },
+                            })
+                            .collect(),
+                    }
+                });
         ProductSet::new(self.unknowns(), normals.chain(tangentials).collect())
     }
 
@@ -191,9 +200,17 @@ impl Layout {
             };
             let largest = coefficients[0].max(coefficients[1]);
             let mut push = |block: usize, coefficient: f64| {
-                let share = if largest > 0.0 { coefficient / largest } else { 1.0 };
+                let share = if largest > 0.0 {
+                    coefficient / largest
+                } else {
+                    1.0
+                };
                 // 0 · ∞ is no number: without a limit every axis is without one.
-                let limit = if limit.is_finite() { share * limit } else { limit };
+                let limit = if limit.is_finite() {
+                    share * limit
+                } else {
+                    limit
+                };
                 bounds.push(CoulombBound {
                     block,
                     normal,

@@ -135,13 +135,24 @@ pub(crate) fn without_equilibrium(
     balance: &Balance,
     reach: &Reach,
 ) -> Option<Ending> {
-    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(balance, reach) else {
+    // Nearest with respect to the diagonal of S: a push along one motion is then answered by that
+    // motion, where S itself, which knows where the grounding sits, would mix in others.
+    let diagonal = balance.with_diagonal_metric();
+    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(&diagonal, reach) else {
         return None;
     };
+    let mut motion = motion;
     let mut set = set.clone();
     if let Some(law) = law {
         law.bound(&mut set, &law.bounds(&lambda));
+        // A proof over friction cones moves along their surface, opening as it slides; with the bounds
+        // of the nearest λ it slides.
+        let frozen = equilibrium::find(&diagonal, &Reach::frozen(&set));
+        if let Equilibrium::Impossible { motion: slide, .. } = frozen {
+            motion = slide;
+        }
     }
+    let motion = balance.coordinates(&diagonal.motion(&motion));
     let mut ending = session.evaluate(rhs, &set, lambda);
     let shortfall = balance.shortfall(&ending.point.lambda);
     let reference = ending.reference.max(balance.spread(&balance.load));
