@@ -5,7 +5,7 @@
 //! A direction in which supports let a pair not move carries no force.
 
 use tresca_contact::{ContactPair, Opening, Sliding};
-use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line};
+use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line, Point};
 use tresca_qcqp::{ActiveSet, CoulombBound, ProductSet, QcqpError};
 
 /// How the tangential unknowns of a pair are constrained.
@@ -245,7 +245,7 @@ impl Layout {
 }
 
 /// An unknown that is always zero.
-const POINT: BlockSet = BlockSet::Interval(Interval { bound: 0.0 });
+const POINT: BlockSet = BlockSet::Point(Point);
 
 /// The proportions of the ellipse, `None` where nothing slides.
 fn semi_axes(sliding: &Sliding) -> Option<[f64; 2]> {

@@ -119,6 +119,7 @@ impl Reach {
                 match block.set {
                     BlockSet::HalfLine(_) => unlimited(block.start, w[block.start]),
                     BlockSet::Line(_) => unlimited(block.start, size),
+                    BlockSet::Point(_) => 0.0,
                     BlockSet::Interval(_) | BlockSet::Disc(_) => match block.set.bound() {
                         Some(bound) if bound < UNBOUNDED => bound * size,
                         _ => unlimited(block.start, size),
