@@ -1,7 +1,7 @@
 //! The fixed point iteration: problems with frozen bounds, one after another.
 
 use super::history::History;
-use super::{CoulombLaw, Frictional, relative_change};
+use super::{Bounded, CoulombLaw, Frictional, first_multiplier, relative_change};
 use crate::Status;
 use crate::equality::Reach;
 use crate::session::{Ending, Session};
@@ -26,9 +26,7 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
         return ending;
     }
     let mut set = first_set(problem, start);
-    let mut multiplier = problem.balance.map_or_else(Vec::new, |b| {
-        b.coordinates(start.map_or(&[], |s| s.multiplier))
-    });
+    let mut multiplier = first_multiplier(problem, start);
     let mut lambda = start.map(|s| s.lambda.to_vec());
     let mut history = History::default();
     let mut tolerance = FIRST_TOLERANCE.max(session.settings.tolerance);
@@ -38,16 +36,14 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
     loop {
         outer += 1;
         let reach = problem.balance.map(|_| Reach::frozen(&set));
-        let from = lambda.as_deref();
-        let mut ending = problem.solve_with(
-            session,
-            &set,
-            None,
-            reach.as_ref(),
+        let bounded = Bounded {
+            problem,
+            set: &set,
+            law: None,
+            reach: reach.as_ref(),
             tolerance,
-            from,
-            &multiplier,
-        );
+        };
+        let mut ending = bounded.solve(session, lambda.as_deref(), &multiplier);
         ending.outer_iterations = outer;
         if ending.status == Status::NoEquilibrium && widenings < MAX_WIDENINGS {
             // Too little friction on the way need not be too little at the end.

@@ -16,6 +16,11 @@ const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCE_RATIO: f64 = 0.01;
 /// Relative residual of the systems for H: each step gains about as much, at little cost.
 const RESPONSE_ACCURACY: f64 = 3e-2;
+/// Where a step gains less than this factor, both become finer by [`CARE`] for good: H is then so
+/// ill-conditioned that what is neglected otherwise counts.
+const SLOW: f64 = 0.3;
+const CARE: f64 = 0.1;
+const MOST_CARE: f64 = 1e-4;
 
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
@@ -60,6 +65,7 @@ pub(crate) fn solve(
         }
     };
     let mut tolerance = FIRST_TOLERANCE.max(problem.tolerance);
+    let (mut last_residual, mut care) = (f64::INFINITY, 1.0);
     let mut updates = 0;
     loop {
         let mut rhs = problem.rhs.to_vec();
@@ -100,6 +106,10 @@ pub(crate) fn solve(
             ending.status = Status::IterationLimit;
             return ending;
         }
+        if residual > SLOW * last_residual {
+            care = f64::max(CARE * care, MOST_CARE);
+        }
+        last_residual = residual;
         let station = Station {
             beta,
             lambda: ending.point.lambda.clone(),
@@ -107,11 +117,11 @@ pub(crate) fn solve(
             value: law.is_none().then_some(value),
         };
         let (next, expected) = ascent.next(station, || {
-            compliance(session, &ending, &balance.rows, RESPONSE_ACCURACY)
+            compliance(session, &ending, &balance.rows, care * RESPONSE_ACCURACY)
         });
         (beta, lambda) = (next, Some(expected));
         set = ending.set;
-        tolerance = (TOLERANCE_RATIO * residual)
+        tolerance = (care * TOLERANCE_RATIO * residual)
             .clamp(problem.tolerance, FIRST_TOLERANCE.max(problem.tolerance));
     }
 }

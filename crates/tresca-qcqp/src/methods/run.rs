@@ -238,10 +238,7 @@ impl<'a> Run<'a> {
         // Both in units of what is asked for, so that one figure tells which point is the better one.
         let figure = match self.inner.law {
             None => relative,
-            Some(_) => f64::max(
-                relative / self.tolerance,
-                bounds_change / self.settings.coulomb_tolerance,
-            ),
+            Some(_) => f64::max(relative / self.tolerance, bounds_change / self.settled()),
         };
         let judged = Judged {
             point: point.clone(),
@@ -264,8 +261,7 @@ impl<'a> Run<'a> {
         let iteration = self.iterations;
         self.iterations += 1;
 
-        let settled = bounds_change <= self.settings.coulomb_tolerance;
-        if relative <= self.tolerance && settled {
+        if relative <= self.tolerance && bounds_change <= self.settled() {
             Some(Status::Converged)
         } else if stop {
             Some(Status::Interrupted)
@@ -275,6 +271,17 @@ impl<'a> Run<'a> {
             Some(Status::IterationLimit)
         } else {
             None
+        }
+    }
+
+    /// The change of bounds in the loop that counts as none. In a problem that is not yet solved to
+    /// the end, because its multiplier is not known, the bounds need no more than the rest.
+    fn settled(&self) -> f64 {
+        let asked = self.settings.coulomb_tolerance;
+        if self.tolerance > self.settings.tolerance {
+            asked.max(self.tolerance)
+        } else {
+            asked
         }
     }
 
