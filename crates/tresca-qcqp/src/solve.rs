@@ -1,7 +1,7 @@
 //! One solve from the outside: checks, what is to be known of A, the way to the solution, the outcome.
 
 use crate::coulomb::{self, Frictional};
-use crate::equality::{self, Balanced, Reach};
+use crate::equality::{self, Balanced};
 use crate::error::check_vector;
 use crate::methods::{self, Memory};
 use crate::session::{Ending, Inner, Journal, Session};
@@ -96,13 +96,11 @@ fn solve_by_kind(session: &mut Session, problem: &Frictional, start: Option<Star
     let Some(balance) = balance else {
         return session.solve(&Inner::plain(rhs, set, tolerance), lambda);
     };
-    let reach = Reach::frozen(set);
     let balanced = Balanced {
         rhs,
         set,
         law: None,
         balance,
-        reach: Some(&reach),
         tolerance,
     };
     let alpha = start.map_or(&[][..], |start| start.multiplier);

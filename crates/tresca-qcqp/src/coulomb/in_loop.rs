@@ -4,7 +4,6 @@
 
 use super::history::{LONGEST_CYCLE, RETURNED};
 use super::{Bounded, Frictional, first_multiplier};
-use crate::equality::Reach;
 use crate::session::{Ending, Session};
 use crate::start::Start;
 use crate::{IterationRecord, Status};
@@ -17,12 +16,10 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
         let nothing = vec![0.0; law.bounds_of_blocks().len()];
         law.bound(&mut set, &nothing);
     }
-    let reach = balance.map(|_| Reach::cones(&set, law));
     let bounded = Bounded {
         problem,
         set: &set,
         law: Some(law),
-        reach: reach.as_ref(),
         tolerance: session.settings.tolerance,
     };
     let multiplier = first_multiplier(problem, start);

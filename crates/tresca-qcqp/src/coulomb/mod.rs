@@ -8,7 +8,7 @@ mod fixed_point;
 mod history;
 mod in_loop;
 
-use crate::equality::{Balance, Balanced, Reach};
+use crate::equality::{Balance, Balanced};
 use crate::session::{Ending, Inner, Session};
 use crate::sets::ProductSet;
 use crate::settings::CoulombMethod;
@@ -132,8 +132,6 @@ struct Bounded<'a> {
     problem: &'a Frictional<'a>,
     set: &'a ProductSet,
     law: Option<&'a CoulombLaw>,
-    /// The forces that statics may count on.
-    reach: Option<&'a Reach>,
     tolerance: f64,
 }
 
@@ -143,7 +141,6 @@ impl Bounded<'_> {
         let Bounded {
             set,
             law,
-            reach,
             tolerance,
             ..
         } = *self;
@@ -157,7 +154,6 @@ impl Bounded<'_> {
             set,
             law,
             balance,
-            reach,
             tolerance,
         };
         crate::equality::solve(session, &balanced, start, multiplier)

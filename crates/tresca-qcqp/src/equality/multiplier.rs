@@ -5,7 +5,7 @@ use super::equilibrium::{self, Equilibrium};
 use super::{Balance, Reach, landing};
 use crate::Status;
 use crate::coulomb::CoulombLaw;
-use crate::methods::{Point, compliance};
+use crate::methods::{Point, compliance, relative};
 use crate::session::{Ending, Inner, Session};
 use crate::sets::ProductSet;
 use tresca_la::vector::dot;
@@ -29,8 +29,6 @@ pub(crate) struct Balanced<'a> {
     pub set: &'a ProductSet,
     pub law: Option<&'a CoulombLaw>,
     pub balance: &'a Balance,
-    /// The forces that statics may count on; `None` when it is known that there is an equilibrium.
-    pub reach: Option<&'a Reach>,
     /// On the reduced gradient and on the residual of the constraint.
     pub tolerance: f64,
 }
@@ -43,9 +41,7 @@ pub(crate) fn solve(
     multiplier: &[f64],
 ) -> Ending {
     let Balanced { balance, law, .. } = *problem;
-    let impossible = problem.reach.and_then(|reach| {
-        without_equilibrium(session, problem.rhs, problem.set, law, balance, reach)
-    });
+    let impossible = without_equilibrium(session, problem.rhs, problem.set, law, balance);
     if let Some(ending) = impossible {
         return ending;
     }
@@ -55,9 +51,8 @@ pub(crate) fn solve(
     let (mut beta, mut lambda) = match start {
         Some(start) => (multiplier.to_vec(), Some(start.to_vec())),
         None => {
-            let frozen = Reach::frozen(&set);
-            let reach = problem.reach.unwrap_or(&frozen);
-            let (beta, lambda) = landing::guess(session, problem.rhs, balance, reach);
+            let reach = Reach::new(&set, law);
+            let (beta, lambda) = landing::guess(session, problem.rhs, balance, &reach);
             if let Some(law) = law {
                 law.bound(&mut set, &law.bounds(&lambda));
             }
@@ -143,9 +138,9 @@ pub(crate) fn without_equilibrium(
     set: &ProductSet,
     law: Option<&CoulombLaw>,
     balance: &Balance,
-    reach: &Reach,
 ) -> Option<Ending> {
-    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(balance, reach) else {
+    let reach = Reach::new(set, law);
+    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(balance, &reach) else {
         return None;
     };
     let mut set = set.clone();
@@ -160,8 +155,4 @@ pub(crate) fn without_equilibrium(
     ending.equality_residual = relative(balance.spread(&shortfall), reference);
     ending.motion = Some(motion);
     Some(ending)
-}
-
-fn relative(norm: f64, reference: f64) -> f64 {
-    if norm == 0.0 { 0.0 } else { norm / reference }
 }

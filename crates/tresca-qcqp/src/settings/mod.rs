@@ -71,7 +71,7 @@ settings! {
         method: Method = Method::Grssn, Range::WORDS;
         /// Stop when the relative reduced gradient ‖r̃(λ)‖/‖r̃(0)‖ is at or below this.
         tolerance: f64 = 1e-8, Range::open(0.0, 1.0);
-        /// Largest number of iterations.
+        /// Largest number of iterations, of all outer iterations together.
         max_iterations: usize = 1000, Range::at_least(0.0);
         /// ρ in y = λ − ρ r(λ), which decides the active set and is the step of gimssn, grssn and apgd; in
         /// units of 1/σmax. gimssn and grssn need a value below 2, apgd at most 1. With ssn, mssn and imssn
