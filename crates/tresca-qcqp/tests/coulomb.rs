@@ -534,3 +534,26 @@ fn bounds_settle_under_a_loose_tolerance() {
         }
     }
 }
+
+/// A block without load on a support with friction: apart, touching, and pushed into it.
+#[test]
+fn a_block_without_load_needs_no_friction() {
+    let half = HalfSpace::new(5, 0.3);
+    for (number, gap) in [0.1, 0.0, 0.0, -0.02].into_iter().enumerate() {
+        let curved = if number == 2 { 0.0 } else { 0.3 };
+        let floating = half.block([0.0; 3], 0.0, |p| {
+            gap + curved * (p[0] * p[0] + p[1] * p[1])
+        });
+        for coulomb in METHODS {
+            let mut problem = floating.problem().with_coulomb(half.law(0.5)).unwrap();
+            let solution = solve(&mut problem, &settings(coulomb), None, &mut Silent).unwrap();
+            let what = format!("{coulomb}, case {number}");
+            assert_eq!(solution.status, Status::Converged, "{what}");
+            assert!(
+                norm(&solution.lambda) <= 1e-7,
+                "{what}: {:.1e}",
+                norm(&solution.lambda)
+            );
+        }
+    }
+}
