@@ -11,6 +11,7 @@ mod multiplier;
 mod reach;
 mod winkler;
 
+pub(crate) use landing::guess as land;
 pub(crate) use multiplier::{Balanced, solve, without_equilibrium};
 pub(crate) use reach::Reach;
 
