@@ -291,13 +291,17 @@ fn balance(
             std::array::from_fn(|k| resultants.iter().map(|part| pick(part)[k]).sum());
         norm(&sum)
     };
-    let magnitude = scale(
-        parts
-            .iter()
-            .flat_map(|part| part.chunks_exact(body.mesh.dimension()))
+    let nodes = |part: &[f64]| {
+        part.chunks_exact(body.mesh.dimension())
             .map(norm)
-            .sum(),
-    );
+            .sum::<f64>()
+    };
+    let forces: f64 = parts.iter().map(|part| nodes(part)).sum();
+    let mut rigid = system.stiffness.diagonal();
+    let u = system.dofs.restrict(&candidate.displacements[index]);
+    rigid.iter_mut().zip(&u).for_each(|(k, u)| *k *= u);
+    let rounding = ROUNDING_OF_FORCES * nodes(&system.dofs.expand(&rigid));
+    let magnitude = scale(forces.max(rounding));
     Ok(BodyBalance {
         name: body.name.clone(),
         force: total(|part| part.force) / magnitude,
