@@ -142,6 +142,8 @@ pub fn prepare(
 
 /// Where the step before left the contact.
 struct State {
+    /// Number of the step that is made, from 1; 0 before the first.
+    number: usize,
     /// B u.
     relative: Vec<f64>,
     /// The solver's unknowns μ and α with the laws they belong to; `None` before the first step.
@@ -203,6 +205,7 @@ impl Prepared {
         // A run counts its own work, whatever was solved before.
         self.dual.forget();
         let mut state = State {
+            number: 0,
             relative: vec![0.0; self.assembled.layout.unknowns()],
             solved: None,
         };
@@ -214,8 +217,9 @@ impl Prepared {
             times: self.times,
             peak_memory_bytes: None,
         };
-        for (index, step) in steps.iter().enumerate() {
-            progress.step(index + 1, steps.len(), step);
+        for step in steps {
+            state.number += 1;
+            progress.step(state.number, steps.len(), step);
             if progress.stage(Stage::Solve).is_break() {
                 if outcome.steps.is_empty() {
                     return Ok(Run::Stopped(Stage::Solve));
@@ -231,10 +235,7 @@ impl Prepared {
                 progress,
             )?;
             let converged = done.converged();
-            outcome.steps.push(StepOutcome {
-                number: index + 1,
-                ..done
-            });
+            outcome.steps.push(done);
             if !converged {
                 break;
             }
@@ -362,7 +363,7 @@ impl Prepared {
             slidings: acting.slidings.clone(),
         });
         Ok(StepOutcome {
-            number: 1,
+            number: state.number,
             time: step.time,
             name: step.name.clone(),
             solution,

@@ -37,16 +37,6 @@ impl fmt::Debug for VectorField {
     }
 }
 
-impl VectorField {
-    /// The value at a point.
-    pub fn at(&self, point: [f64; 3]) -> [f64; 3] {
-        match self {
-            VectorField::Constant(value) => *value,
-            VectorField::Function(function) => function(point),
-        }
-    }
-}
-
 /// A load.
 #[derive(Debug, Clone)]
 pub struct Load {
