@@ -1,0 +1,4 @@
+//! Problems of matrices alone: against an independent conic solver, against the case path, at the door.
+
+mod case_path;
+mod common;
