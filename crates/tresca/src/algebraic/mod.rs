@@ -50,6 +50,7 @@ mod bodies;
 mod check;
 mod dual;
 mod error;
+mod files;
 mod friction;
 mod grounding;
 mod kernel;
@@ -61,15 +62,18 @@ mod patches;
 mod prepared;
 mod rank;
 mod solution;
+mod summary;
 
 pub use dual::{Dual, Operator, solve_dual};
 pub use error::{AlgebraicError, MatrixError};
+pub use files::{ExportError, FileError};
 pub use friction::{Friction, Law};
 pub use matrix::{Index, Matrix};
 pub use model::Assembly;
 pub use note::{Note, Row};
 pub use prepared::{Prepared, prepare};
 pub use solution::{Forces, Solution};
+pub use summary::{ContactFigures, Summary, TimeFigures};
 
 use tresca_qcqp::Settings;
 
