@@ -102,7 +102,8 @@ pub struct TimeFigures {
 }
 
 impl Summary {
-    pub(super) fn new(title: &str, solution: &Solution) -> Self {
+    /// Summarises a solution of a problem with this title.
+    pub fn new(title: &str, solution: &Solution) -> Self {
         let description = solution.description.as_ref();
         let count = |flags: &[bool]| flags.iter().filter(|flag| **flag).count();
         let pairs = solution.normal_force.len();
