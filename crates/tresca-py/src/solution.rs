@@ -15,7 +15,6 @@ pub fn algebraic<'py>(py: Python<'py>, solution: Solution) -> PyResult<Bound<'py
     let pairs = solution.normal_force.len();
     let tangents = solution.tangential_force.len() / pairs.max(1);
     result.set_item("summary", json(&Summary::new("", &solution))?)?;
-    result.set_item("settings", json(&solution.settings)?)?;
     result.set_item("history", history(py, &solution.records)?)?;
     result.set_item(
         "slip_bounds",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from typing import Any, Unpack
+from typing import Any, TypeAlias, Unpack
 
 import numpy as np
 import numpy.typing as npt
@@ -17,7 +17,7 @@ from ._solution import Solution, solution
 from ._tresca import Iteration
 
 Callback = Callable[[Iteration], object]
-Start = Solution | tuple[npt.ArrayLike, npt.ArrayLike]
+Start: TypeAlias = Solution | tuple[npt.ArrayLike, npt.ArrayLike]
 
 
 def start_arrays(start: Start | None) -> tuple[Floats, Floats, Floats] | None:

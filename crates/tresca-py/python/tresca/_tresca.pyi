@@ -10,6 +10,21 @@ from ._arrays import Floats, Matrix
 from ._friction import Packed
 from ._solve import Callback
 
+__all__ = [
+    "LAWS",
+    "Case",
+    "CaseError",
+    "Iteration",
+    "Outcome",
+    "OutputError",
+    "Prepared",
+    "ProblemError",
+    "__version__",
+    "options",
+    "solve_dual_dense",
+    "solve_dual_product",
+]
+
 __version__: str
 LAWS: list[str]
 
