@@ -47,7 +47,7 @@ def main() -> None:
     friction = solution.tangential_force / bricks.areas[:, np.newaxis]
     right.quiver(x, y, *friction.T, width=0.002, alpha=0.6)
     right.set_title("state and friction of the pairs")
-    right.legend(loc="upper left", fontsize="small")
+    right.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize="small")
     for axes in (left, right):
         axes.set(xlabel="x [m]", aspect="equal")
     left.set_ylabel("y [m]")

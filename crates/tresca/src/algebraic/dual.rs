@@ -51,19 +51,23 @@ impl Operator {
         let scale = largest(values);
         let mut matrix = PackedLower::zeros(order);
         let mut worst = (0.0, 0, 0);
-        for i in 0..order {
-            for j in 0..=i {
-                let (below, above) = (values[order * i + j], values[order * j + i]);
-                let difference = (below - above).abs();
-                if difference > worst.0 {
-                    worst = (difference, i, j);
+        // Tile by tile: the entries above the diagonal are read along columns, and a column of a large A is a
+        // new page for each entry.
+        for (first, left) in tiles(order) {
+            for i in first..order.min(first + TILE) {
+                for j in left..(i + 1).min(left + TILE) {
+                    let (below, above) = (values[order * i + j], values[order * j + i]);
+                    let difference = (below - above).abs();
+                    if difference > worst.0 {
+                        worst = (difference, i, j);
+                    }
+                    let mean = if below == above {
+                        below
+                    } else {
+                        0.5 * below + 0.5 * above
+                    };
+                    matrix.set(i, j, mean);
                 }
-                let mean = if below == above {
-                    below
-                } else {
-                    0.5 * below + 0.5 * above
-                };
-                matrix.set(i, j, mean);
             }
         }
         let (difference, row, column) = worst;
@@ -259,9 +263,21 @@ pub fn solve_dual(
     Ok(outcome)
 }
 
+/// Side of a tile: two of them fit into the first cache.
+const TILE: usize = 32;
+
+/// The first row and column of the tiles on and below the diagonal.
+fn tiles(order: usize) -> impl Iterator<Item = (usize, usize)> {
+    let firsts = (0..order).step_by(TILE);
+    firsts.flat_map(|first| (0..=first).step_by(TILE).map(move |left| (first, left)))
+}
+
 /// diag(w) A diag(w).
 fn weigh(matrix: &mut PackedLower, layout: &Layout) {
     let weights = layout.weights();
+    if weights.iter().all(|&w| w == 1.0) {
+        return;
+    }
     for (i, wi) in weights.iter().enumerate() {
         for (j, wj) in weights.iter().enumerate().take(i + 1) {
             if wi * wj != 1.0 {
