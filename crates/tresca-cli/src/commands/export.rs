@@ -20,7 +20,10 @@ pub fn run(arguments: &ExportArguments) -> miette::Result<u8> {
             ));
         }
         (Some(number), steps) => steps.get(number.get() - 1).cloned().ok_or_else(|| {
-            miette!("there is no load step {number}: the case has {}", steps.len())
+            miette!(
+                "there is no load step {number}: the case has {}",
+                steps.len()
+            )
         })?,
     };
     let assembly =

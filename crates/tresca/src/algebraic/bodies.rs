@@ -313,6 +313,12 @@ impl<'a> Draft<'a> {
             };
             let kernel = kernel::checked(k, &own)
                 .map_err(|(vector, residual)| AlgebraicError::Kernel { vector, residual })?;
+            if part.len() <= SMALL {
+                let all = kernel::of_small(k).map_err(|failure| self.failure(failure, part))?;
+                if all.len() > kernel.len() {
+                    return Err(AlgebraicError::KernelIncomplete { dof: part[0] });
+                }
+            }
             if !kernel.is_empty() {
                 kernels.push((local, kernel));
             }
