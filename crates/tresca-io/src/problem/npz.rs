@@ -98,7 +98,7 @@ impl Reader {
     }
 
     /// A matrix from its parts.
-    fn from_parts(&mut self, key: &str) -> Result<Sparse, ProblemError> {
+    fn joined(&mut self, key: &str) -> Result<Sparse, ProblemError> {
         let part = |name: &str| format!("{key}/{name}");
         let shape = self.counts(&part("shape"))?;
         let [rows, columns] = shape[..] else {
@@ -210,7 +210,7 @@ impl Source for Reader {
 
     fn sparse(&mut self, key: &str) -> Result<Sparse, ProblemError> {
         if !self.has(key) {
-            return self.from_parts(key);
+            return self.joined(key);
         }
         let dense = self.numbers(key)?;
         Sparse::from_dense(&dense).ok_or_else(|| {

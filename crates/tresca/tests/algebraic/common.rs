@@ -1,4 +1,5 @@
 //! Comparison, random problems.
+#![allow(clippy::needless_range_loop)] // loops over indices, as in the formulas
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
@@ -140,11 +141,19 @@ fn law(kind: Laws, rng: &mut StdRng, pair: usize) -> Law {
         }
         Laws::Tied => Law::Tied,
         Laws::Bilateral => Law::Bilateral {
-            bound: if pair % 2 == 0 { 0.0 } else { positive(rng) },
+            bound: if pair.is_multiple_of(2) {
+                0.0
+            } else {
+                positive(rng)
+            },
         },
         Laws::Coulomb => Law::Coulomb {
             coefficients: [0.3; 2],
-            limit: if pair % 2 == 0 { f64::INFINITY } else { 0.2 },
+            limit: if pair.is_multiple_of(2) {
+                f64::INFINITY
+            } else {
+                0.2
+            },
         },
         Laws::Mixed => {
             let kinds = [

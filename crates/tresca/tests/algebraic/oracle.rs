@@ -55,13 +55,13 @@ fn oracle(problem: &Problem) -> Vec<f64> {
         };
         // (t, g1 (T1u − s1), g2 (T2u − s2)) in the cone.
         rows.push((vec![(n + pair, -1.0)], 0.0));
-        for t in 0..tangents {
+        for (t, bound) in bounds.into_iter().enumerate().take(tangents) {
             let (row, shift) = tangential(t);
             let scaled = row
                 .into_iter()
-                .map(|(j, value)| (j, -bounds[t] * value))
+                .map(|(j, value)| (j, -bound * value))
                 .collect();
-            rows.push((scaled, -bounds[t] * shift));
+            rows.push((scaled, -bound * shift));
         }
         cones.push(SecondOrderConeT(1 + tangents));
     }
