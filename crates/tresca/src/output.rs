@@ -17,7 +17,7 @@ use tresca_io::{WriteError, summary};
 
 use crate::model::{Body, Model};
 use crate::outcome::{Outcome, PairState, StepOutcome};
-use crate::{Summary, VERSION};
+use crate::{IterationRecord, Summary, VERSION};
 
 /// Name of the file with the contact fields.
 const CONTACT: &str = "contact";
@@ -49,6 +49,10 @@ impl Destination {
         Ok(Self {
             directory: directory.to_owned(),
         })
+    }
+
+    pub(crate) fn into_directory(self) -> PathBuf {
+        self.directory
     }
 
     /// Writes all files of a run: `<body>.vtu` and `contact.vtu` (of a case with several load steps
@@ -142,6 +146,18 @@ fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, F
 }
 
 fn history(outcome: &Outcome) -> Result<History, WriteError> {
+    history_table(
+        outcome
+            .steps
+            .iter()
+            .map(|step| (step.number, &step.solution.records[..])),
+    )
+}
+
+/// The table of `history.csv`: the records of load steps, with their numbers.
+pub(crate) fn history_table<'a>(
+    steps: impl IntoIterator<Item = (usize, &'a [IterationRecord])>,
+) -> Result<History, WriteError> {
     let mut table = History::new(&[
         "step",
         "iteration",
@@ -158,11 +174,11 @@ fn history(outcome: &Outcome) -> Result<History, WriteError> {
         "n_a",
         "step_length",
     ]);
-    for step in &outcome.steps {
-        for record in &step.solution.records {
+    for (number, records) in steps {
+        for record in records {
             let counts = record.counts;
             table.push(&[
-                step.number.into(),
+                number.into(),
                 record.iteration.into(),
                 record.outer.into(),
                 record.relative_reduced_gradient.into(),

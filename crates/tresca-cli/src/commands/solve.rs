@@ -1,4 +1,4 @@
-//! `tresca solve`: a case file in, result files and a verdict out.
+//! `tresca solve`: a case file (or matrices: see `matrices`) in, result files and a verdict out.
 
 use std::path::Path;
 
@@ -7,12 +7,16 @@ use tresca::Run;
 use tresca::case::Case;
 use tresca::output::Destination;
 
+use super::matrices;
 use crate::args::{SolveArguments, use_threads};
 use crate::interrupt::Interrupt;
 use crate::terminal::{monitor::Monitor, verdict};
 
 pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
+    if matrices::is_problem(&arguments.case) {
+        return matrices::run(arguments);
+    }
     let case = Case::load(&arguments.case)?;
     let settings = arguments.solver.over(case.settings())?;
     let name = case_name(&arguments.case)?;
