@@ -17,7 +17,7 @@ use tresca_io::{WriteError, summary};
 
 use crate::model::{Body, Model};
 use crate::outcome::{Outcome, PairState, StepOutcome};
-use crate::{Summary, VERSION};
+use crate::{Summary, VERSION, record_table};
 
 /// Name of the file with the contact fields.
 const CONTACT: &str = "contact";
@@ -139,41 +139,14 @@ fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, F
 }
 
 fn history(outcome: &Outcome) -> Result<History, WriteError> {
-    let mut table = History::new(&[
-        "step",
-        "iteration",
-        "outer",
-        "relative_reduced_gradient",
-        "dual_objective",
-        "decrease",
-        "open",
-        "closed",
-        "stick",
-        "slip",
-        "set_changes",
-        "inner_iterations",
-        "n_a",
-        "step_length",
-    ]);
+    let mut columns = vec!["step"];
+    columns.extend(record_table::COLUMNS);
+    let mut table = History::new(&columns);
     for step in &outcome.steps {
         for record in &step.solution.records {
-            let counts = record.counts;
-            table.push(&[
-                step.number.into(),
-                record.iteration.into(),
-                record.outer.into(),
-                record.relative_reduced_gradient.into(),
-                record.objective.into(),
-                record.decrease.into(),
-                counts.open.into(),
-                counts.closed.into(),
-                counts.stick.into(),
-                counts.slip.into(),
-                record.set_changes.into(),
-                record.inner_iterations.into(),
-                record.n_a.into(),
-                record.step_length.into(),
-            ])?;
+            let mut row = vec![step.number.into()];
+            row.extend(record_table::row(record));
+            table.push(&row)?;
         }
     }
     Ok(table)
