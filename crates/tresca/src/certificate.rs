@@ -191,7 +191,9 @@ fn elastic(assembled: &Assembled, candidate: &Candidate<'_>) -> Elastic {
     for (index, system) in assembled.bodies.iter().enumerate() {
         let u = system.dofs.restrict(&candidate.displacements[index]);
         let f = &candidate.acting.free_loads[index];
-        let contact = system.dofs.restrict(&assembled.contact_forces(index, candidate.lambda));
+        let contact = system
+            .dofs
+            .restrict(&assembled.contact_forces(index, candidate.lambda));
         let mut internal = vec![0.0; u.len()];
         system.stiffness.mul(&u, &mut internal);
         strain_work += dot(&u, &internal);
@@ -207,12 +209,18 @@ fn elastic(assembled: &Assembled, candidate: &Candidate<'_>) -> Elastic {
         }
     }
     let [load, contact, internal, rigid] = squares.map(f64::sqrt);
-    let forces = load.max(contact).max(internal).max(ROUNDING_OF_FORCES * rigid);
+    let forces = load
+        .max(contact)
+        .max(internal)
+        .max(ROUNDING_OF_FORCES * rigid);
     Elastic {
         residual: residual.sqrt() / scale(forces),
         strain_work,
         load_work,
-        energy: scale(f64::max(0.5 * strain_work, 0.5 * ROUNDING_OF_ENERGY * rigid_work)),
+        energy: scale(f64::max(
+            0.5 * strain_work,
+            0.5 * ROUNDING_OF_ENERGY * rigid_work,
+        )),
     }
 }
 

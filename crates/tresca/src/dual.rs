@@ -142,10 +142,7 @@ pub fn factor(
         flops: factors.iter().map(|factor| factor.flops()).sum(),
         seconds,
     };
-    Ok(Factored {
-        factors,
-        work,
-    })
+    Ok(Factored { factors, work })
 }
 
 /// The dual problem of the model, A applied by the chosen engine. b, e and the slip bounds are those of

@@ -5,7 +5,7 @@
 //! A direction in which supports let a pair not move carries no force.
 
 use tresca_contact::{ContactPair, Opening, Sliding};
-use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line};
+use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line, Point};
 use tresca_qcqp::{ActiveSet, CoulombBound, ProductSet, QcqpError};
 
 /// How the tangential unknowns of a pair are constrained.
@@ -119,7 +119,11 @@ impl Layout {
         let first = self.pairs.len() + self.tangents * pair;
         [
             values[first],
-            if self.tangents == 2 { values[first + 1] } else { 0.0 },
+            if self.tangents == 2 {
+                values[first + 1]
+            } else {
+                0.0
+            },
         ]
     }
 
@@ -153,28 +157,33 @@ impl Layout {
                 Opening::Never => BlockSet::Line(Line),
             },
         });
-        let tangentials = self.pairs.iter().zip(slidings).enumerate().flat_map(
-            |(i, (pair, sliding))| {
-                let first = m + self.tangents * i;
-                let bounds = sliding.bounds(0.0);
-                match (pair.shape, bounds) {
-                    (Shape::Disc, Some([a, b])) => vec![Block {
-                        start: first,
-                        set: BlockSet::Disc(Disc { bound: a.max(b) }),
-                    }],
-                    _ => (0..self.tangents)
-                        .map(|t| Block {
-                            start: first + t,
-                            set: match bounds {
-                                _ if !pair.mobility.tangents[t] => POINT,
-                                None => BlockSet::Line(Line),
-                                Some(bounds) => BlockSet::Interval(Interval { bound: bounds[t] }),
-                            },
-                        })
-                        .collect(),
-                }
-            },
-        );
+        let tangentials =
+            self.pairs
+                .iter()
+                .zip(slidings)
+                .enumerate()
+                .flat_map(|(i, (pair, sliding))| {
+                    let first = m + self.tangents * i;
+                    let bounds = sliding.bounds(0.0);
+                    match (pair.shape, bounds) {
+                        (Shape::Disc, Some([a, b])) => vec![Block {
+                            start: first,
+                            set: BlockSet::Disc(Disc { bound: a.max(b) }),
+                        }],
+                        _ => (0..self.tangents)
+                            .map(|t| Block {
+                                start: first + t,
+                                set: match bounds {
+                                    _ if !pair.mobility.tangents[t] => POINT,
+                                    None => BlockSet::Line(Line),
+                                    Some(bounds) => {
+                                        BlockSet::Interval(Interval { bound: bounds[t] })
+                                    }
+                                },
+                            })
+                            .collect(),
+                    }
+                });
         ProductSet::new(self.unknowns(), normals.chain(tangentials).collect())
     }
 
@@ -191,9 +200,17 @@ impl Layout {
             };
             let largest = coefficients[0].max(coefficients[1]);
             let mut push = |block: usize, coefficient: f64| {
-                let share = if largest > 0.0 { coefficient / largest } else { 1.0 };
+                let share = if largest > 0.0 {
+                    coefficient / largest
+                } else {
+                    1.0
+                };
                 // 0 · ∞ is no number: without a limit every axis is without one.
-                let limit = if limit.is_finite() { share * limit } else { limit };
+                let limit = if limit.is_finite() {
+                    share * limit
+                } else {
+                    limit
+                };
                 bounds.push(CoulombBound {
                     block,
                     normal,
@@ -228,7 +245,7 @@ impl Layout {
 }
 
 /// An unknown that is always zero.
-const POINT: BlockSet = BlockSet::Interval(Interval { bound: 0.0 });
+const POINT: BlockSet = BlockSet::Point(Point);
 
 /// The proportions of the ellipse, `None` where nothing slides.
 fn semi_axes(sliding: &Sliding) -> Option<[f64; 2]> {

@@ -110,7 +110,16 @@ fn conclusion(summary: &Summary) {
 fn steps(summary: &Summary) {
     println!(
         "{:>5} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>14} {:>12}  {}",
-        "step", "time", "iter", "n_A", "open", "closed", "stick", "slip", "Σ normal force", "dissipation",
+        "step",
+        "time",
+        "iter",
+        "n_A",
+        "open",
+        "closed",
+        "stick",
+        "slip",
+        "Σ normal force",
+        "dissipation",
         "name"
     );
     for step in &summary.steps {

@@ -15,7 +15,8 @@ const HEIGHT: f64 = 4.0;
 
 fn pressure() -> f64 {
     let [a, b, c] = RADII.map(|r| r * r);
-    let plane = |young: f64, poisson: f64| (young / (1.0 - poisson * poisson), poisson / (1.0 - poisson));
+    let plane =
+        |young: f64, poisson: f64| (young / (1.0 - poisson * poisson), poisson / (1.0 - poisson));
     let ((ei, ni), (eo, no)) = (plane(1.1e5, 0.34), plane(2.1e5, 0.3));
     let compliance = ((b + a) / (b - a) - ni) / ei + ((c + b) / (c - b) + no) / eo;
     INTERFERENCE / RADII[1] / compliance
@@ -30,7 +31,11 @@ fn axisymmetric_pressure_converges_to_lame() {
         let expected = pressure() * 2.0 * PI * RADII[1] * HEIGHT;
         // Every pair carries that pressure: nothing varies along the axis.
         for pair in outcome.last().pairs() {
-            assert_close(pair.pressure(), force / (2.0 * PI * RADII[1] * HEIGHT), 1e-9);
+            assert_close(
+                pair.pressure(),
+                force / (2.0 * PI * RADII[1] * HEIGHT),
+                1e-9,
+            );
         }
         ((force - expected) / expected).abs()
     };
@@ -64,5 +69,8 @@ fn a_quarter_in_plane_strain_has_the_same_pressure_and_no_friction() {
         error("nodes = [21, 49]", "nodes = [29, 49]"),
     ];
     assert!(errors[2] < 5e-3, "{errors:?}");
-    assert!(errors[0] > 1.8 * errors[1] && errors[1] > 1.8 * errors[2], "{errors:?}");
+    assert!(
+        errors[0] > 1.8 * errors[1] && errors[1] > 1.8 * errors[2],
+        "{errors:?}"
+    );
 }

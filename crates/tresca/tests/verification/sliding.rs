@@ -41,7 +41,10 @@ fn tresca_pull_is_bound_times_area() {
 #[test]
 fn a_limit_cuts_the_coulomb_bound() {
     let law = "coefficient = 0.25 }";
-    let outcome = solved(&variant("sliding-block.toml", &[(law, "coefficient = 0.25, limit = 0.8 }")]));
+    let outcome = solved(&variant(
+        "sliding-block.toml",
+        &[(law, "coefficient = 0.25, limit = 0.8 }")],
+    ));
     let last = outcome.last();
     let (mut cut, mut total) = (0, 0.0);
     for pair in last.pairs() {
@@ -51,7 +54,10 @@ fn a_limit_cuts_the_coulomb_bound() {
         let [a, b] = pair.local_friction;
         assert!((a.hypot(b) - expected).abs() < 1e-5 * PRESSURE * pair.pair.area);
     }
-    assert!(cut > 0 && cut < last.pairs().count(), "{cut} pairs at the limit");
+    assert!(
+        cut > 0 && cut < last.pairs().count(),
+        "{cut} pairs at the limit"
+    );
     let (_, friction) = resultant(&outcome, 4, 0);
     assert!(friction[0] < 0.25 * PRESSURE * AREA && friction[0] > 0.9 * total);
 }
