@@ -18,11 +18,13 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Solve a case file; write fields, history and summary.
+    /// Solve a case file, or a problem of FCLIB or Siconos; write fields, history and summary.
     ///
     /// Exit code 0: converged. 1: not converged or interrupted; the results are written and
     /// marked. 2: wrong input; nothing is written. 130: interrupted before there was a result.
     Solve(SolveArguments),
+    /// Solve a case file and write its problem for other programs.
+    Export(ExportArguments),
     /// Reproduce published experiments.
     Bench(BenchArguments),
     /// List every solver option with its meaning, default and range.
@@ -31,11 +33,18 @@ pub enum Command {
 
 #[derive(Debug, Args)]
 pub struct SolveArguments {
-    /// The case file (TOML; see docs/case-file.md).
+    /// The case file (TOML; see docs/case-file.md), or a problem of FCLIB (.hdf5, .h5) or Siconos
+    /// (.dat; see docs/fclib.md).
     pub case: PathBuf,
     /// Directory for the results (default: `out/` and the case's name).
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Problems of FCLIB and Siconos: the law of friction (default: coulomb, as they are posed).
+    #[arg(long, value_name = "LAW")]
+    pub law: Option<Law>,
+    /// With `--law tresca`: the slip bound of every contact, a force.
+    #[arg(long, value_name = "FORCE", allow_negative_numbers = true)]
+    pub bound: Option<f64>,
     #[command(flatten)]
     pub solver: SolverArguments,
     /// Number of threads (default: all processors).
@@ -47,6 +56,25 @@ pub struct SolveArguments {
     /// Print the settings, the choice of the engine and the cost of the factorisation, too.
     #[arg(short, long)]
     pub verbose: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Law {
+    /// The bound is the coefficient of friction times the normal force.
+    Coulomb,
+    /// The bound is given.
+    Tresca,
+}
+
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// The case file.
+    pub case: PathBuf,
+    /// The file to write: .hdf5 or .h5 (FCLIB), or .dat (Siconos).
+    #[arg(long, value_name = "FILE")]
+    pub to: PathBuf,
+    #[command(flatten)]
+    pub solver: SolverArguments,
 }
 
 /// Options that override those of the case file.

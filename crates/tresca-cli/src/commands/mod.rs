@@ -1,5 +1,7 @@
 //! One file per command.
 
 pub mod bench;
+pub mod export;
+pub mod fclib;
 pub mod options;
 pub mod solve;

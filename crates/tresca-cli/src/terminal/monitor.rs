@@ -50,6 +50,29 @@ impl Monitor {
         self.spinner.enable_steady_tick(Duration::from_millis(120));
     }
 
+    /// Prints the head of the iteration table.
+    pub fn head(&self) {
+        if !self.print {
+            return;
+        }
+        println!(
+            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
+            "k",
+            "outer",
+            "rel. grad.",
+            "q",
+            "decrease",
+            "open",
+            "closed",
+            "stick",
+            "slip",
+            "changes",
+            "inner",
+            "n_A",
+            "step"
+        );
+    }
+
     /// Removes whatever is still turning.
     pub fn finish(&mut self) {
         self.spinner.finish_and_clear();
@@ -112,22 +135,7 @@ impl Progress for Monitor {
             let name = step.name.as_deref().unwrap_or("");
             println!("\nload step {number} of {count}, time {} {name}", step.time);
         }
-        println!(
-            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
-            "k",
-            "outer",
-            "rel. grad.",
-            "q",
-            "decrease",
-            "open",
-            "closed",
-            "stick",
-            "slip",
-            "changes",
-            "inner",
-            "n_A",
-            "step"
-        );
+        self.head();
     }
 
     fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {

@@ -100,7 +100,9 @@ pub enum Defect {
         value: f64,
     },
     /// An entry outside of its matrix.
-    #[error("there is an entry ({row}, {column}) in a matrix of {rows} × {columns}, counted from 0")]
+    #[error(
+        "there is an entry ({row}, {column}) in a matrix of {rows} × {columns}, counted from 0"
+    )]
     Outside {
         /// Its row.
         row: usize,

@@ -23,13 +23,34 @@ fn spoilt(name: &str, from: &str, to: &str) -> String {
 fn texts() {
     let rover = "Rover1039.dat";
     let cases = [
-        (refusal(""), "line 1: the file ends where the dimension should follow"),
-        (refusal("Hello"), "line 1: expected the dimension, found `Hello`"),
-        (spoilt(rover, "3\n4\n", "4\n4\n"), "line 1: problems live in 2 or 3 dimensions, found 4"),
-        (spoilt(rover, "3\n4\n", "5\n4\n"), "line 1: problems live in 2 or 3 dimensions, found 5"),
-        (spoilt(rover, "3\n4\n0\n", "3\n4\n7\n"), "line 3: the storage scheme 7 of a matrix is not known"),
-        (spoilt(rover, "3\n4\n", "3\n5\n"), "line 18: is 12 × 12, expected 15 × 15"),
-        (spoilt(rover, "12\t12", "12\t11"), "line 6: is 12 × 11, expected 12 × 12"),
+        (
+            refusal(""),
+            "line 1: the file ends where the dimension should follow",
+        ),
+        (
+            refusal("Hello"),
+            "line 1: expected the dimension, found `Hello`",
+        ),
+        (
+            spoilt(rover, "3\n4\n", "4\n4\n"),
+            "line 1: problems live in 2 or 3 dimensions, found 4",
+        ),
+        (
+            spoilt(rover, "3\n4\n", "5\n4\n"),
+            "line 1: problems live in 2 or 3 dimensions, found 5",
+        ),
+        (
+            spoilt(rover, "3\n4\n0\n", "3\n4\n7\n"),
+            "line 3: the storage scheme 7 of a matrix is not known",
+        ),
+        (
+            spoilt(rover, "3\n4\n", "3\n5\n"),
+            "line 18: is 12 × 12, expected 15 × 15",
+        ),
+        (
+            spoilt(rover, "12\t12", "12\t11"),
+            "line 6: is 12 × 11, expected 12 × 12",
+        ),
         (
             spoilt(rover, "1.399132380123367484781038e-02", "nan"),
             "line 7: expected an entry of a matrix, found `nan`",
@@ -47,7 +68,11 @@ fn texts() {
             "`mu`: the friction coefficient of contact 0 is -0.7, expected a number ≥ 0",
         ),
         (
-            spoilt(rover, "6.999999999999999555910790e-01 \n1\n", "0.7 \n1\n0.5"),
+            spoilt(
+                rover,
+                "6.999999999999999555910790e-01 \n1\n",
+                "0.7 \n1\n0.5",
+            ),
             "line 22: expected the end of the file, found `0.5`",
         ),
         (
@@ -60,7 +85,9 @@ fn texts() {
         ),
         // Sizes that no memory holds are found out before any is asked for.
         (
-            refusal("3 1000000000000 0 3000000000000 3000000000000 3000000000000 3000000000000 1.0"),
+            refusal(
+                "3 1000000000000 0 3000000000000 3000000000000 3000000000000 3000000000000 1.0",
+            ),
             "line 1: the file ends where an entry of a matrix should follow",
         ),
     ];
@@ -92,8 +119,14 @@ fn problems_that_do_not_fit_are_not_written() {
         assert!(nothing.is_empty());
         error.to_string()
     };
-    assert_eq!(refused(&short), "the problem cannot be written: `q` has 11 values, expected 12");
-    assert_eq!(refused(&oblong), "the problem cannot be written: `H` is 2 × 4, expected 3 × 4");
+    assert_eq!(
+        refused(&short),
+        "the problem cannot be written: `q` has 11 values, expected 12"
+    );
+    assert_eq!(
+        refused(&oblong),
+        "the problem cannot be written: `H` is 2 × 4, expected 3 × 4"
+    );
     assert_eq!(local(&short.problem).q.len(), 11);
 }
 

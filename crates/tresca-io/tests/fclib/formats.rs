@@ -13,7 +13,8 @@ fn dense_and_block_matrices_run_by_columns() {
     let dense = format!("2 1 0 2 2 2 2 1.0 2.0 3.0 4.0 {REST}");
     assert_eq!(local(&read_text(&dense).unwrap().problem).w, expected);
 
-    let blocks = format!("2 1 1 2 2\n1 1 1\n2\t\n2\t\n2\n1\n0\t1\t\n0\t\n0\n1.\n2.\n3.\n4.\n{REST}");
+    let blocks =
+        format!("2 1 1 2 2\n1 1 1\n2\t\n2\t\n2\n1\n0\t1\t\n0\t\n0\n1.\n2.\n3.\n4.\n{REST}");
     assert_eq!(local(&read_text(&blocks).unwrap().problem).w, expected);
 }
 

@@ -26,7 +26,10 @@ fn files_of_h5py() {
     assert_eq!(document.info.title.as_deref(), Some("one contact"));
     assert_eq!(document.info.math_info, None);
     let solution = document.solution.unwrap();
-    assert_eq!((solution.u, solution.r, solution.v), (vec![0.0, 0.5, 0.25], vec![1.0, 2.0, 3.0], None));
+    assert_eq!(
+        (solution.u, solution.r, solution.v),
+        (vec![0.0, 0.5, 0.25], vec![1.0, 2.0, 3.0], None)
+    );
     assert_eq!(document.guesses.len(), 2);
     assert_eq!(document.guesses[1].r, [7.0, 8.0, 9.0]);
 
@@ -34,7 +37,10 @@ fn files_of_h5py() {
     let document = read(&data("global_h5py.hdf5")).unwrap();
     let problem = global(&document.problem);
     assert_eq!(problem.m, matrix(&[[4.0, 1.0], [1.0, 3.0]]));
-    assert_eq!(problem.h, matrix(&[[1.0, 0.0, 0.0, -2.0], [0.0, 5.0, 0.5, 0.0]]));
+    assert_eq!(
+        problem.h,
+        matrix(&[[1.0, 0.0, 0.0, -2.0], [0.0, 5.0, 0.5, 0.0]])
+    );
     assert_eq!(problem.f, [1.0, -1.0]);
     assert_eq!(problem.w, [0.0, 1.0, 2.0, 3.0]);
     assert_eq!(problem.friction, [0.1, 0.2]);
@@ -114,7 +120,9 @@ impl Parts {
     fn read(&self) -> Result<Document, String> {
         let mut file = FileBuilder::new();
         let mut group = file.create_group(self.group);
-        group.create_dataset("spacedim").with_i32_data(&[self.dimension]);
+        group
+            .create_dataset("spacedim")
+            .with_i32_data(&[self.dimension]);
         let mut w = group.create_group("W");
         for (name, value) in [("m", 2), ("n", 2), ("nz", self.nz), ("nzmax", 2)] {
             w.create_dataset(name).with_i32_data(&[value]);
@@ -151,11 +159,17 @@ fn every_defect_is_named_with_its_dataset() {
     let parts = Parts::default;
     let cases = [
         (
-            Parts { group: "something", ..parts() },
+            Parts {
+                group: "something",
+                ..parts()
+            },
             "`/`: the file has neither a group `fclib_local` nor a group `fclib_global`",
         ),
         (
-            Parts { dimension: 5, ..parts() },
+            Parts {
+                dimension: 5,
+                ..parts()
+            },
             "`/fclib_local/spacedim`: problems live in 2 or 3 dimensions, found 5",
         ),
         (
@@ -163,19 +177,31 @@ fn every_defect_is_named_with_its_dataset() {
             "`/fclib_local/W/nz`: the storage scheme -3 of a matrix is not known",
         ),
         (
-            Parts { p: vec![0, 1], ..parts() },
+            Parts {
+                p: vec![0, 1],
+                ..parts()
+            },
             "`/fclib_local/W/p`: has 2 values, expected 3",
         ),
         (
-            Parts { p: vec![0, 3, 2], ..parts() },
+            Parts {
+                p: vec![0, 3, 2],
+                ..parts()
+            },
             "`/fclib_local/W/p`: pointers must rise from 0 to at most 2, found 3 at 1",
         ),
         (
-            Parts { p: vec![0, -1, 2], ..parts() },
+            Parts {
+                p: vec![0, -1, 2],
+                ..parts()
+            },
             "`/fclib_local/W/p`: expected a count or an index, found -1",
         ),
         (
-            Parts { i: vec![0, 9], ..parts() },
+            Parts {
+                i: vec![0, 9],
+                ..parts()
+            },
             "`/fclib_local/W`: there is an entry (9, 1) in a matrix of 2 × 2, counted from 0",
         ),
         (
@@ -183,7 +209,10 @@ fn every_defect_is_named_with_its_dataset() {
             "`/fclib_local/W/i`: has 2 values, expected 3",
         ),
         (
-            Parts { x: vec![1.0, f64::NAN], ..parts() },
+            Parts {
+                x: vec![1.0, f64::NAN],
+                ..parts()
+            },
             "`/fclib_local/W`: value 1 is NaN, which is no finite number",
         ),
         (
@@ -191,15 +220,24 @@ fn every_defect_is_named_with_its_dataset() {
             "`/fclib_local/vectors/q`: is missing",
         ),
         (
-            Parts { q: Some(vec![1.0]), ..parts() },
+            Parts {
+                q: Some(vec![1.0]),
+                ..parts()
+            },
             "`q`: has 1 values, expected 2",
         ),
         (
-            Parts { mu: vec![f64::INFINITY], ..parts() },
+            Parts {
+                mu: vec![f64::INFINITY],
+                ..parts()
+            },
             "`mu`: value 0 is inf, which is no finite number",
         ),
         (
-            Parts { extra: Some("V"), ..parts() },
+            Parts {
+                extra: Some("V"),
+                ..parts()
+            },
             "`/fclib_local/V`: linear constraints (G, b or V, R, s) are not supported",
         ),
     ];

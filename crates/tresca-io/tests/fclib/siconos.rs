@@ -41,7 +41,10 @@ fn global_problems_dense_and_by_blocks() {
     let problem = global(&document.problem);
     let identity = matrix(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
     assert_eq!((&problem.m, &problem.h), (&identity, &identity));
-    assert_eq!((problem.f.as_slice(), problem.w.as_slice()), (&[-1.0; 3][..], &[0.0; 3][..]));
+    assert_eq!(
+        (problem.f.as_slice(), problem.w.as_slice()),
+        (&[-1.0; 3][..], &[0.0; 3][..])
+    );
     assert_eq!(problem.friction, [0.1]);
 
     let document = read(&data("GFC3D_Example00_badly_scaled.dat")).unwrap();

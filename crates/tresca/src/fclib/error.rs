@@ -38,6 +38,9 @@ pub enum ProblemError {
         /// The largest order accepted.
         allowed: usize,
     },
+    /// A slip bound that is none.
+    #[error("the slip bound must be a number ≥ 0, found {0}")]
+    Bound(f64),
     /// M cannot be factored.
     #[error("M: {0}")]
     Mass(#[from] FactorError),

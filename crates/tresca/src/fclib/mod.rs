@@ -44,7 +44,7 @@ use tresca_qcqp::{CoulombBound, DualProblem, Observer, ProductSet, Settings, Sol
 pub use tresca_qcqp::Silent;
 
 pub use error::ProblemError;
-pub use export::local_problem;
+pub use export::{document, local_problem};
 pub use output::{Reference, Summary, Times, write};
 pub use reduced::MatrixFacts;
 pub use residual::Residuals;
@@ -94,7 +94,7 @@ pub struct Outcome {
 ///
 /// # Errors
 /// When the parts of the problem do not fit together, W or M is not symmetric, M is not positive
-/// definite, or a setting or the slip bound is out of range. How the solve ended is no error:
+/// definite, there are more contacts than a dense W allows, or a setting or the slip bound is out of range. How the solve ended is no error:
 /// see [`Outcome::solution`].
 pub fn solve(
     problem: &Problem,
@@ -102,6 +102,11 @@ pub fn solve(
     settings: &Settings,
     observer: &mut dyn Observer,
 ) -> Result<Outcome, ProblemError> {
+    if let Law::Tresca { bound } = law
+        && !(bound >= 0.0 && bound.is_finite())
+    {
+        return Err(ProblemError::Bound(bound));
+    }
     let begin = Instant::now();
     let reduced = Reduced::new(problem)?;
     let mut dual = dual_problem(problem, &reduced, law)?;
@@ -113,7 +118,7 @@ pub fn solve(
 
     let mut forces = vec![0.0; solution.lambda.len()];
     for (i, &force) in solution.lambda.iter().enumerate() {
-        forces[place(problem, i)] = force;
+        forces[place(problem.dimension(), problem.contacts(), i)] = force;
     }
     let (velocities, global_velocities) = reduced.velocities(problem, &forces);
     Ok(Outcome {
@@ -144,7 +149,8 @@ fn dual_problem(
         2 => ProductSet::contact_2d(&bounds),
         _ => ProductSet::contact_3d(&bounds),
     }?;
-    let rhs = (0..problem.unknowns()).map(|i| -reduced.q[place(problem, i)]);
+    let place = |i| place(problem.dimension(), contacts, i);
+    let rhs = (0..problem.unknowns()).map(|i| -reduced.q[place(i)]);
     let dual = DualProblem::new(reduced.operator(problem), rhs.collect(), set)?;
     let coulomb = match law {
         Law::Tresca { .. } => Vec::new(),

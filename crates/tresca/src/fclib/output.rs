@@ -15,6 +15,9 @@ use tresca_qcqp::{Settings, StateCounts, Status};
 use super::{Law, MatrixFacts, Outcome, Residuals};
 use crate::{VERSION, record_table};
 
+/// Asymmetry that is not worth a remark.
+const ROUNDING: f64 = 1e-14;
+
 /// `summary.json`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
@@ -203,7 +206,9 @@ fn solution(problem: &Problem, outcome: &Outcome) -> Result<History, WriteError>
     let dimension = problem.dimension();
     let columns: &[&str] = match dimension {
         2 => &["contact", "r_n", "r_t", "u_n", "u_t", "bound"],
-        _ => &["contact", "r_n", "r_t1", "r_t2", "u_n", "u_t1", "u_t2", "bound"],
+        _ => &[
+            "contact", "r_n", "r_t1", "r_t2", "u_n", "u_t1", "u_t2", "bound",
+        ],
     };
     let mut table = History::new(columns);
     let forces = outcome.forces.chunks(dimension);
@@ -246,7 +251,7 @@ fn remarks(outcome: &Outcome) -> Vec<String> {
             "W is not positive semidefinite: its eigenvalues reach from {smallest:.1e} to {largest:.1e}"
         ));
     }
-    if facts.asymmetry > 0.0 {
+    if facts.asymmetry > ROUNDING {
         remarks.push(format!(
             "W is symmetric up to {:.1e} of its largest entry; solved with its symmetric part",
             facts.asymmetry

@@ -57,14 +57,12 @@ impl MatrixFacts {
 }
 
 /// Where unknown `i` of λ = \[normals; tangents\] stands in the vectors of the file.
-pub(super) fn place(problem: &Problem, i: usize) -> usize {
-    let (dimension, contacts) = (problem.dimension(), problem.contacts());
-    if i < contacts {
-        return dimension * i;
-    }
+pub(super) fn place(dimension: usize, contacts: usize, i: usize) -> usize {
     let tangents = dimension - 1;
-    let (contact, tangent) = ((i - contacts) / tangents, (i - contacts) % tangents);
-    dimension * contact + 1 + tangent
+    match i.checked_sub(contacts) {
+        None => dimension * i,
+        Some(t) => dimension * (t / tangents) + 1 + t % tangents,
+    }
 }
 
 impl Reduced {
@@ -112,10 +110,11 @@ impl Reduced {
     /// W in the solver's order.
     pub fn operator(&self, problem: &Problem) -> Dense {
         let order = self.q.len();
+        let place = |i| place(problem.dimension(), problem.contacts(), i);
         let mut packed = PackedLower::zeros(order);
         for j in 0..order {
             for i in j..order {
-                packed.set(i, j, self.w[(place(problem, i), place(problem, j))]);
+                packed.set(i, j, self.w[(place(i), place(j))]);
             }
         }
         Dense::new(packed)
@@ -123,7 +122,8 @@ impl Reduced {
 
     /// u and v from r, by the matrices of the file.
     pub fn velocities(&self, problem: &Problem, forces: &[f64]) -> (Vec<f64>, Option<Vec<f64>>) {
-        let sum = |a: Vec<f64>, b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + b).collect() };
+        let sum =
+            |a: Vec<f64>, b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + b).collect() };
         match (problem, &self.mass) {
             (Problem::Global(global), Some(mass)) => {
                 let mut v = sum(global.h.times(forces), &global.f);
@@ -142,7 +142,9 @@ fn facts(problem: &Problem, w: &Mat<f64>, asymmetry: f64) -> MatrixFacts {
     let eigenvalues = (0 < unknowns && unknowns <= LARGEST_SPECTRUM)
         .then(|| w.self_adjoint_eigenvalues(Side::Lower).ok())
         .flatten();
-    let largest = eigenvalues.as_ref().and_then(|values| values.last().copied());
+    let largest = eigenvalues
+        .as_ref()
+        .and_then(|values| values.last().copied());
     let zero = largest.map(|largest| ZERO * unknowns as f64 * largest);
     let rank = eigenvalues.as_ref().zip(zero);
     MatrixFacts {
@@ -153,7 +155,9 @@ fn facts(problem: &Problem, w: &Mat<f64>, asymmetry: f64) -> MatrixFacts {
         },
         asymmetry,
         rank: rank.map(|(values, zero)| values.iter().filter(|&&value| value > zero).count()),
-        smallest_eigenvalue: eigenvalues.as_ref().and_then(|values| values.first().copied()),
+        smallest_eigenvalue: eigenvalues
+            .as_ref()
+            .and_then(|values| values.first().copied()),
         largest_eigenvalue: largest,
     }
 }
@@ -199,15 +203,17 @@ fn symmetrise(a: &mut Mat<f64>) -> f64 {
 fn factor(m: &Matrix) -> Result<SparseCholesky, ProblemError> {
     let largest = m.entries().iter().fold(0.0_f64, |a, e| a.max(e.2.abs()));
     // Every entry goes in half, and half into its mirror image: what is on the diagonal twice.
-    let halves = m.entries().iter().flat_map(|&(row, column, value)| {
-        [(row, column, 0.5 * value), (column, row, 0.5 * value)]
-    });
+    let halves = m
+        .entries()
+        .iter()
+        .flat_map(|&(row, column, value)| [(row, column, 0.5 * value), (column, row, 0.5 * value)]);
     let mut symmetric = std::collections::BTreeMap::<(usize, usize), [f64; 2]>::new();
     for (index, (row, column, value)) in halves.enumerate() {
         symmetric.entry((column, row)).or_default()[index % 2] += value;
     }
     let differs = |halves: &[f64; 2]| (halves[0] - halves[1]).abs();
-    let asymmetry = symmetric.values().map(differs).fold(0.0, f64::max) / largest.max(f64::MIN_POSITIVE);
+    let asymmetry =
+        symmetric.values().map(differs).fold(0.0, f64::max) / largest.max(f64::MIN_POSITIVE);
     if asymmetry > ASYMMETRY {
         return Err(ProblemError::Asymmetric {
             name: "M",

@@ -36,7 +36,12 @@ impl Residuals {
         let reference = norm(forces).max(rho * load);
         let relative = |value: f64, to: f64| if to > 0.0 { value / to } else { value };
         let symmetric: Vec<f64> = (0..order)
-            .map(|i| (0..order).map(|j| reduced.w[(i, j)] * forces[j]).sum::<f64>() + reduced.q[i])
+            .map(|i| {
+                (0..order)
+                    .map(|j| reduced.w[(i, j)] * forces[j])
+                    .sum::<f64>()
+                    + reduced.q[i]
+            })
             .collect();
         let map = |velocities: &[f64], rho| natural_map(problem, law, forces, velocities, rho);
         Self {

@@ -47,9 +47,7 @@ pub fn read(text: &str) -> Result<Document, Trouble> {
         })
     };
     end(&mut tokens)?;
-    problem
-        .check()
-        .map_err(|(part, defect)| defect.at(part))?;
+    problem.check().map_err(|(part, defect)| defect.at(part))?;
     Ok(problem.into())
 }
 

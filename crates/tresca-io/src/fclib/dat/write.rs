@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
-use super::super::problem::{Document, Problem};
 use super::super::Matrix;
+use super::super::problem::{Document, Problem};
 use crate::WriteError;
 
 /// The word in the version line of a sparse matrix; readers skip that line.
@@ -52,7 +52,10 @@ fn matrix(out: &mut dyn Write, matrix: &Matrix) -> Result<(), WriteError> {
     let count = entries.len();
     // 1: the matrix is kept as triplets.
     writeln!(out, "2\n{rows}\n{columns}\n1\n{WRITER}")?;
-    writeln!(out, "triplet: {rows}-by-{columns}, nzmax: {count} nnz: {count}")?;
+    writeln!(
+        out,
+        "triplet: {rows}-by-{columns}, nzmax: {count} nnz: {count}"
+    )?;
     for (row, column, value) in entries {
         writeln!(out, "    {row} {column} : {value:.16e}")?;
     }

@@ -25,9 +25,7 @@ pub fn read(bytes: Vec<u8>) -> Result<Document, Trouble> {
         guesses: reader.guesses()?,
         problem,
     };
-    document
-        .check()
-        .map_err(|(part, defect)| defect.at(part))?;
+    document.check().map_err(|(part, defect)| defect.at(part))?;
     Ok(document)
 }
 
@@ -108,8 +106,11 @@ impl Reader {
         let indices = self.counts(&part("i"))?;
         let values = self.numbers(&part("x"))?;
         let entries = match storage {
-            -1 => compressed(&pointers, &indices, &values, columns)
-                .map(|triple| triple.map(|(column, row, value)| (row, column, value)).collect()),
+            -1 => compressed(&pointers, &indices, &values, columns).map(|triple| {
+                triple
+                    .map(|(column, row, value)| (row, column, value))
+                    .collect()
+            }),
             -2 => compressed(&pointers, &indices, &values, rows).map(Iterator::collect),
             0.. => triplets(&pointers, &indices, &values, storage, (rows, columns)),
             other => Err(("nz", Defect::Storage(other))),
