@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use tresca_qcqp::ProductSet;
-use tresca_qcqp::sets::{Block, BlockSet, BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Point};
+use tresca_qcqp::sets::{
+    Block, BlockSet, BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Point,
+};
 
 fn any_set() -> impl Strategy<Value = BlockSet> {
     let bound = prop_oneof![Just(0.0), 1e-8..1e-6, 0.1..3.0, 1e6..1e9];

@@ -34,6 +34,8 @@ pub struct Certificate {
     /// friction at its bound dissipates along it, g‖s‖ for isotropic friction: zero exactly when every pair
     /// that slips does so at its bound in the direction that its law asks for.
     pub slip_law: f64,
+    /// Σ max(−λτ,i·s_i, 0) over the elastic energy: friction only ever takes work out.
+    pub negative_dissipation: f64,
     /// (primal energy − dual energy) over the elastic energy, with the primal energy
     /// ½uᵀKu − fᵀu + Σ h_i(s_i) and the dual energy −q(λ) − ½fᵀK⁺f. With Coulomb's law that of the
     /// problem whose bounds are F λν.
@@ -75,7 +77,7 @@ impl Certificate {
     }
 
     /// The figures that concern the whole model, with their names.
-    pub fn items(&self) -> [(&'static str, f64); 7] {
+    pub fn items(&self) -> [(&'static str, f64); 8] {
         [
             ("equilibrium", self.equilibrium),
             ("penetration", self.penetration),
@@ -83,6 +85,7 @@ impl Certificate {
             ("complementarity", self.complementarity),
             ("cone violation", self.cone_violation),
             ("slip law", self.slip_law),
+            ("negative dissipation", self.negative_dissipation),
             ("duality gap", self.duality_gap),
         ]
     }
@@ -129,6 +132,7 @@ struct Interface {
     complementarity: f64,
     cone: f64,
     slip_law: f64,
+    negative_work: f64,
     friction_work: f64,
     largest_bound: f64,
 }
@@ -168,6 +172,7 @@ pub fn certify(
         complementarity: interface.complementarity / energy,
         cone_violation: interface.cone / scale(cone_scale),
         slip_law: interface.slip_law / energy,
+        negative_dissipation: interface.negative_work / energy,
         duality_gap: (primal - dual) / energy,
         bodies: model
             .bodies()
@@ -253,7 +258,9 @@ fn interface(assembled: &Assembled, candidate: &Candidate<'_>) -> Interface {
         let ellipse = Ellipse(bounds);
         let work = ellipse.support(slip);
         sum.cone = sum.cone.max(ellipse.excess(force));
-        sum.slip_law += (work - dot(&force, &slip)).abs();
+        let dissipated = dot(&force, &slip);
+        sum.slip_law += (work - dissipated).abs();
+        sum.negative_work += f64::max(-dissipated, 0.0);
         sum.friction_work += work;
         sum.largest_bound = sum.largest_bound.max(ellipse.largest());
     }
@@ -291,13 +298,17 @@ fn balance(
             std::array::from_fn(|k| resultants.iter().map(|part| pick(part)[k]).sum());
         norm(&sum)
     };
-    let magnitude = scale(
-        parts
-            .iter()
-            .flat_map(|part| part.chunks_exact(body.mesh.dimension()))
+    let nodes = |part: &[f64]| {
+        part.chunks_exact(body.mesh.dimension())
             .map(norm)
-            .sum(),
-    );
+            .sum::<f64>()
+    };
+    let forces: f64 = parts.iter().map(|part| nodes(part)).sum();
+    let mut rigid = system.stiffness.diagonal();
+    let u = system.dofs.restrict(&candidate.displacements[index]);
+    rigid.iter_mut().zip(&u).for_each(|(k, u)| *k *= u);
+    let rounding = ROUNDING_OF_FORCES * nodes(&system.dofs.expand(&rigid));
+    let magnitude = scale(forces.max(rounding));
     Ok(BodyBalance {
         name: body.name.clone(),
         force: total(|part| part.force) / magnitude,

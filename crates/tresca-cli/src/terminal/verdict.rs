@@ -109,7 +109,7 @@ fn conclusion(summary: &Summary) {
 /// One line per load step.
 fn steps(summary: &Summary) {
     println!(
-        "{:>5} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>14} {:>12}  {}",
+        "{:>5} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>14} {:>12}  name",
         "step",
         "time",
         "iter",
@@ -119,8 +119,7 @@ fn steps(summary: &Summary) {
         "stick",
         "slip",
         "Σ normal force",
-        "dissipation",
-        "name"
+        "dissipation"
     );
     for step in &summary.steps {
         let contact = &step.contact;

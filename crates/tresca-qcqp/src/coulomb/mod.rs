@@ -13,7 +13,7 @@ use crate::session::{Ending, Inner, Session};
 use crate::sets::ProductSet;
 use crate::settings::CoulombMethod;
 use crate::start::Start;
-use crate::{Method, QcqpError};
+use crate::{Method, QcqpError, Status};
 use tresca_la::vector::norm;
 
 /// A friction block whose bound is min(coefficient · max(λν, 0), limit).
@@ -112,18 +112,36 @@ pub(crate) struct Frictional<'a> {
 
 /// Solves it by the way that the settings name.
 pub(crate) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
-    // Where both are possible the loop takes fewer products: by a quarter on clamped bodies, by
-    // half on floating ones with iterative inner solves.
-    let in_loop = match session.settings.coulomb {
-        CoulombMethod::Auto => session.settings.method == Method::Grssn,
-        CoulombMethod::FixedPoint => false,
-        CoulombMethod::InLoop => true,
-    };
-    if in_loop {
-        in_loop::solve(session, problem, start)
-    } else {
-        fixed_point::solve(session, problem, start)
+    match session.settings.coulomb {
+        CoulombMethod::FixedPoint => fixed_point::solve(session, problem, start),
+        CoulombMethod::InLoop => in_loop::solve(session, problem, start),
+        CoulombMethod::Auto if session.settings.method != Method::Grssn => {
+            fixed_point::solve(session, problem, start)
+        }
+        // Where both are possible the loop takes fewer products: by a quarter on clamped bodies, by
+        // half on floating ones with iterative inner solves. But close to the load that friction can
+        // just carry, bounds and rigid motions drive each other on, and the fixed point gets there.
+        CoulombMethod::Auto => {
+            let ending = in_loop::solve(session, problem, start);
+            let steps_left = session.journal.steps() < session.settings.max_iterations;
+            if gave_up(ending.status) && steps_left && !session.journal.stop {
+                fixed_point::solve(session, problem, start)
+            } else {
+                ending
+            }
+        }
     }
+}
+
+/// Whether another way may get further.
+fn gave_up(status: Status) -> bool {
+    matches!(
+        status,
+        Status::IterationLimit
+            | Status::Stagnated
+            | Status::CoulombCycles
+            | Status::CoulombDiverges
+    )
 }
 
 /// The same with bounds that are frozen as they are in `set`, or (`law`) follow from there.

@@ -152,7 +152,7 @@ pub(crate) fn without_equilibrium(
         law.bound(&mut set, &law.bounds(&lambda));
         // A proof over friction cones moves along their surface, opening as it slides; with the bounds
         // of the nearest λ it slides.
-        let frozen = equilibrium::find(&diagonal, &Reach::frozen(&set));
+        let frozen = equilibrium::find(&diagonal, &Reach::new(&set, None));
         if let Equilibrium::Impossible { motion: slide, .. } = frozen {
             motion = slide;
         }

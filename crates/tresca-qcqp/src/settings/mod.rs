@@ -54,7 +54,7 @@ words! {
 words! {
     /// How the bounds of Coulomb's law are found.
     pub enum CoulombMethod, "Coulomb method" {
-        /// In the loop with grssn, else by fixed point.
+        /// In the loop with grssn and, should that fail, by fixed point; with other methods by fixed point.
         Auto = "auto",
         /// Problems with frozen bounds, one after another, until the bounds no longer change.
         FixedPoint = "fixed_point",

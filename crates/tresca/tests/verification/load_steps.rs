@@ -73,9 +73,9 @@ fn with_friction_unloading_leaves_a_trace() {
                     same.next().unwrap().local_slip
                 }
             };
-            for k in 0..2 {
-                let sum = before[k] + pair.local_slip_increment[k];
-                assert!((sum - pair.local_slip[k]).abs() < 1e-15);
+            let increments = before.iter().zip(pair.local_slip_increment);
+            for ((before, increment), slip) in increments.zip(pair.local_slip) {
+                assert!((before + increment - slip).abs() < 1e-15);
             }
         }
     }
