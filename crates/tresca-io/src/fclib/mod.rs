@@ -14,8 +14,8 @@
 //! Vectors are ordered contact by contact, the normal component first and its one (plane) or two
 //! (space) tangential components after it. r_N presses, u_N opens.
 //!
-//! [`read`] knows a file's format by its content; [`Document::write_hdf5`] and
-//! [`Document::write_dat`] write. Without the feature `fclib` HDF5 files are refused by name.
+//! [`read`] knows a file's format by its content; [`Document::write_dat`] and
+//! `Document::write_hdf5` write. Without the feature `fclib` HDF5 files are refused by name.
 //!
 //! Not taken over are the parts of FCLIB that add linear constraints to a problem (G, b and V, R, s),
 //! and Siconos' rolling friction. Both are refused, not ignored.

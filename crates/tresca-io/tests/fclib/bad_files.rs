@@ -83,6 +83,10 @@ fn texts() {
             spoilt("problem-check2.dat", "0\t1\t\n0\t\n", "0\t1\t\n4\t\n"),
             "line 15: there is an entry (0, 4) in a matrix of 1 × 1, counted from 0",
         ),
+        (
+            spoilt("problem-check2.dat", "0\t1\t\n", "0\t0\t\n"),
+            "line 13: has 0 values, expected 1",
+        ),
         // Sizes that no memory holds are found out before any is asked for.
         (
             refusal(
@@ -93,6 +97,25 @@ fn texts() {
     ];
     for (found, expected) in cases {
         assert_eq!(found, expected);
+    }
+}
+
+/// Whatever is cut off or replaced, the answer is a refusal with a place, or another problem in order;
+/// never a panic.
+#[test]
+fn texts_cut_and_garbled_everywhere() {
+    for name in ["problem-check2.dat", "FC2D_SliderCrankLagrangian00000.dat"] {
+        let text = fs::read_to_string(data(name)).unwrap();
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let needed = words.len() - usize::from(words.last() == Some(&"1"));
+        for count in 0..needed {
+            read_text(&words[..count].join(" ")).unwrap_err();
+        }
+        for (place, word) in (0..words.len()).flat_map(|i| ["7", "-1", "0", "x"].map(|w| (i, w))) {
+            let mut garbled = words.clone();
+            garbled[place] = word;
+            let _ = read_text(&garbled.join(" "));
+        }
     }
 }
 

@@ -85,6 +85,13 @@ fn cut_and_garbled_files_are_refused() {
         fs::write(&path, &whole[..length]).unwrap();
         read(&path).unwrap_err();
     }
+    // A flipped bit may go unnoticed in a number, but nothing may panic.
+    for place in (8..whole.len()).step_by(7) {
+        let mut garbled = whole.clone();
+        garbled[place] ^= 0xff;
+        fs::write(&path, garbled).unwrap();
+        let _ = read(&path);
+    }
 }
 
 /// A local problem of one plane contact, with chances to spoil it.

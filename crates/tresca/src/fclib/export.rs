@@ -114,7 +114,7 @@ fn shape(dual: &DualProblem) -> Result<(usize, usize), ProblemError> {
     let contacts = blocks.len() / 2;
     let (normals, tangents) = blocks.split_at(contacts);
     let mut normals = normals.iter().enumerate();
-    if blocks.len() % 2 != 0
+    if !blocks.len().is_multiple_of(2)
         || !normals.all(|(i, block)| block.start == i && matches!(block.set, BlockSet::HalfLine(_)))
     {
         return Err(ProblemError::Inexpressible(

@@ -65,29 +65,34 @@ fn blocks(tokens: &mut Tokens, rows: usize, columns: usize) -> Result<Entries, T
     }
     let pointers = tokens.counts(pointers, "a block row pointer")?;
     check_pointers(&pointers, blocks).map_err(|defect| defect.on(tokens.line()))?;
+    if pointers[block_rows] != blocks {
+        let (expected, found) = (blocks, pointers[block_rows]);
+        return Err(Defect::Length { expected, found }.on(tokens.line()));
+    }
     let block_column = tokens.counts(blocks, "a block column")?;
     let mut entries = Vec::new();
-    for block_row in 0..block_rows {
-        for block in pointers[block_row]..pointers[block_row + 1] {
-            let number = tokens.count("the number of a block")?;
-            if number != block {
-                let found = number.to_string();
-                return Err(tokens.unexpected("the number of the next block", &found));
+    let mut block_row = 0;
+    for (block, &own) in block_column.iter().enumerate() {
+        while pointers[block_row + 1] <= block {
+            block_row += 1;
+        }
+        let number = tokens.count("the number of a block")?;
+        if number != block {
+            let found = number.to_string();
+            return Err(tokens.unexpected("the number of the next block", &found));
+        }
+        let Some(&end) = column_ends.get(own) else {
+            return Err(Defect::Outside {
+                row: block_row,
+                column: own,
+                rows: block_rows,
+                columns: block_columns,
             }
-            let own = block_column[block];
-            let Some(&end) = column_ends.get(own) else {
-                return Err(Defect::Outside {
-                    row: block_row,
-                    column: own,
-                    rows: block_rows,
-                    columns: block_columns,
-                }
-                .on(tokens.line()));
-            };
-            for column in start(&column_ends, own)..end {
-                for row in start(&row_ends, block_row)..row_ends[block_row] {
-                    entries.push((row, column, tokens.number("an entry of a block")?));
-                }
+            .on(tokens.line()));
+        };
+        for column in start(&column_ends, own)..end {
+            for row in start(&row_ends, block_row)..row_ends[block_row] {
+                entries.push((row, column, tokens.number("an entry of a block")?));
             }
         }
     }

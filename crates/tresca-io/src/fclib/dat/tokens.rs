@@ -93,6 +93,6 @@ impl<'a> Tokens<'a> {
 pub fn count(word: &str) -> Option<usize> {
     word.parse().ok().or_else(|| {
         let value = word.parse::<f64>().ok()?;
-        (value >= 0.0 && value <= 1e15 && value.fract() == 0.0).then_some(value as usize)
+        ((0.0..=1e15).contains(&value) && value.fract() == 0.0).then_some(value as usize)
     })
 }
