@@ -8,7 +8,7 @@
 //!
 //! (K. L. Johnson, Contact Mechanics, sections 4.2 and 7.2.)
 
-use super::support::{resultant, solved, variant};
+use super::support::{report, resultant, solved, variant};
 use std::f64::consts::PI;
 use tresca::{Outcome, PairState};
 
@@ -91,6 +91,9 @@ fn stick_width_and_traction_converge_to_the_closed_form() {
         solve("nodes = [129, 49]"),
         solve("nodes = [257, 97]"),
     ];
+    for errors in &all {
+        report(&format!("Cattaneo–Mindlin: {errors:.5?}"));
+    }
     let [coarse, middle, fine] = &all;
     // Widths and peak pressure fall with h² in the mean, the peak traction, a kink, with h.
     for (name, first, last, bound) in [

@@ -1,6 +1,6 @@
 //! Coulomb's law: both variants, their limits, their work.
 
-use super::support::{assert_close, settings, solved, solved_with, variant};
+use super::support::{assert_close, report, settings, solved, solved_with, variant};
 use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{CoulombMethod, Engine, Field, FrictionLaw, Outcome};
 
@@ -38,6 +38,10 @@ fn both_variants_agree_within_ten_updates() {
         let fixed_point = by(CoulombMethod::FixedPoint);
         let in_loop = by(CoulombMethod::InLoop);
         let updates = fixed_point.last().solution.outer_iterations;
+        report(&format!(
+            "Coulomb, F = {coefficient}: {updates} updates by fixed point, {} steps in the loop",
+            in_loop.last().solution.iterations
+        ));
         assert!(
             (1..=10).contains(&updates),
             "F = {coefficient}: {updates} updates"

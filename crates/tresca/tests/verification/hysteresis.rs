@@ -1,6 +1,6 @@
 //! A tangential load cycle over a normally loaded contact: stick-slip hysteresis.
 
-use super::support::{resultant, solved, variant};
+use super::support::{report, resultant, solved, variant};
 
 #[test]
 fn every_cycle_dissipates_the_same_work() {
@@ -16,6 +16,7 @@ fn every_cycle_dissipates_the_same_work() {
             .sum()
     };
     let work = [cycle(0), cycle(1), cycle(2)];
+    report(&format!("hysteresis: work of three cycles {work:.12?}"));
     assert!(work[0] > 0.0, "{work:?}");
     assert!((work[1] / work[2] - 1.0).abs() < 1e-6, "{work:?}");
     assert!((work[0] / work[2] - 1.0).abs() < 1e-6, "{work:?}");

@@ -1,6 +1,6 @@
 //! Two dimensions: plane strain against a slice of space, finite termination.
 
-use super::support::{settings, solved, solved_with, variant};
+use super::support::{report, settings, solved, solved_with, variant};
 use tresca::{InnerSolver, Method};
 
 /// A slice of the two bricks, one element thick and held across, is the plane-strain problem.
@@ -65,6 +65,12 @@ fn the_exact_method_stops_after_finitely_many_steps() {
         let [.., before, last] = &records[..] else {
             panic!("{method}: too few steps")
         };
+        report(&format!(
+            "finite termination, {method}: {} steps, the last from {:.1e} to {:.1e}",
+            records.len() - 1,
+            before.relative_reduced_gradient,
+            last.relative_reduced_gradient
+        ));
         assert!(
             last.relative_reduced_gradient < 1e-12 && before.relative_reduced_gradient > 1e-6,
             "{method}: {:e} then {:e}",
