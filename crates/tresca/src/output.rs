@@ -17,7 +17,7 @@ use tresca_io::{WriteError, summary};
 
 use crate::model::{Body, Model};
 use crate::outcome::{Outcome, PairState, StepOutcome};
-use crate::{IterationRecord, Summary, VERSION};
+use crate::{IterationRecord, Summary, VERSION, record_table};
 
 /// Name of the file with the contact fields.
 const CONTACT: &str = "contact";
@@ -116,6 +116,24 @@ impl Destination {
     }
 }
 
+/// Writes a single file, whole or not at all, replacing an earlier one.
+///
+/// # Errors
+/// Those of `write` and of the file system.
+pub fn write_file(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
+) -> Result<(), WriteError> {
+    let directory = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let mut files = OutputSet::new(directory.unwrap_or(Path::new(".")))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    files.stage(&name, write)?;
+    files.commit()?;
+    Ok(())
+}
+
 /// What every result file says about its origin.
 fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, Fact)> {
     let solution = &step.solution;
@@ -158,41 +176,14 @@ fn history(outcome: &Outcome) -> Result<History, WriteError> {
 pub(crate) fn history_table<'a>(
     steps: impl IntoIterator<Item = (usize, &'a [IterationRecord])>,
 ) -> Result<History, WriteError> {
-    let mut table = History::new(&[
-        "step",
-        "iteration",
-        "outer",
-        "relative_reduced_gradient",
-        "dual_objective",
-        "decrease",
-        "open",
-        "closed",
-        "stick",
-        "slip",
-        "set_changes",
-        "inner_iterations",
-        "n_a",
-        "step_length",
-    ]);
+    let mut columns = vec!["step"];
+    columns.extend(record_table::COLUMNS);
+    let mut table = History::new(&columns);
     for (number, records) in steps {
         for record in records {
-            let counts = record.counts;
-            table.push(&[
-                number.into(),
-                record.iteration.into(),
-                record.outer.into(),
-                record.relative_reduced_gradient.into(),
-                record.objective.into(),
-                record.decrease.into(),
-                counts.open.into(),
-                counts.closed.into(),
-                counts.stick.into(),
-                counts.slip.into(),
-                record.set_changes.into(),
-                record.inner_iterations.into(),
-                record.n_a.into(),
-                record.step_length.into(),
-            ])?;
+            let mut row = vec![number.into()];
+            row.extend(record_table::row(record));
+            table.push(&row)?;
         }
     }
     Ok(table)

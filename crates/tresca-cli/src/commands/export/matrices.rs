@@ -1,4 +1,4 @@
-//! `tresca export`: the matrices of a case.
+//! `tresca export --to problem.npz` or a directory: the matrices of a case.
 
 use miette::{Report, miette};
 use tresca::algebraic::{Assembly, ExportError};
