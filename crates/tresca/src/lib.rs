@@ -29,10 +29,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod algebraic;
 pub mod assemble;
 pub mod case;
 pub mod certificate;
 pub mod dual;
+mod elastic;
 mod ellipse;
 mod error;
 pub mod fclib;
@@ -40,12 +42,12 @@ mod floating;
 mod layout;
 pub mod linear;
 mod load_step;
+mod measures;
 pub mod memory;
 pub mod model;
 mod outcome;
 pub mod output;
 pub mod progress;
-mod record_table;
 mod solve;
 mod summary;
 pub mod two_bricks;

@@ -1,62 +1,49 @@
-//! `tresca export`: the problem of a case file for other programs.
+//! `tresca export`: the matrices of a case.
 
-use std::ops::ControlFlow;
-use std::path::Path;
-
-use miette::{IntoDiagnostic, Report, miette};
+use miette::{Report, miette};
+use tresca::algebraic::{Assembly, ExportError};
 use tresca::case::Case;
-use tresca::fclib::{self, Document};
-use tresca::output::write_file;
-use tresca::{Run, Silent};
 
-use super::fclib::{is_hdf5, is_text};
+use super::fclib;
 use crate::args::ExportArguments;
 
 pub fn run(arguments: &ExportArguments) -> miette::Result<u8> {
-    if !is_hdf5(&arguments.to) && !is_text(&arguments.to) {
-        return Err(miette!(
-            "cannot tell the format of `{}` by its name: expected .hdf5, .h5 or .dat",
-            arguments.to.display()
-        ));
+    if fclib::is_problem(&arguments.to) {
+        return fclib::export(arguments);
     }
     let case = Case::load(&arguments.case)?;
-    let settings = arguments.solver.over(case.settings())?;
-    let located = |error| Report::new(case.locate(&error));
-    let model = &case.model;
-    let ControlFlow::Continue(mut prepared) =
-        tresca::prepare(model, &settings, &mut Silent).map_err(located)?
-    else {
-        return Ok(crate::INTERRUPTED);
-    };
-    let Run::Finished(outcome) = prepared
-        .solve(model, &settings, &mut Silent)
-        .map_err(located)?
-    else {
-        return Ok(crate::INTERRUPTED);
-    };
-    let document = fclib::document(model, &mut prepared, &outcome).into_diagnostic()?;
-    write(&document, &arguments.to)?;
-    println!(
-        "{}: {} contacts in {} dimensions{}",
-        arguments.to.display(),
-        document.problem.contacts(),
-        document.problem.dimension(),
-        match (&document.solution, is_hdf5(&arguments.to)) {
-            (Some(_), true) => ", with the solution",
-            _ => "",
+    let steps = case.model.steps();
+    let step = match (arguments.step, steps) {
+        (None, []) => case.model.whole_step(),
+        (None, [only]) => only.clone(),
+        (None, steps) => {
+            return Err(miette!(
+                "the case has {} load steps: say which one to export, by --step 1 to --step {}",
+                steps.len(),
+                steps.len()
+            ));
         }
+        (Some(number), steps) => steps.get(number.get() - 1).cloned().ok_or_else(|| {
+            miette!(
+                "there is no load step {number}: the case has {}",
+                steps.len()
+            )
+        })?,
+    };
+    let assembly =
+        Assembly::new(&case.model, &step).map_err(|error| Report::new(case.locate(&error)))?;
+    assembly.write(&arguments.to).map_err(|error| match error {
+        ExportError::Model(error) => Report::new(case.locate(&error)),
+        error => Report::msg(error),
+    })?;
+    let problem = &assembly.problem;
+    println!(
+        "{} blocks of K, {} dofs, {} contact pairs, {} tangent(s) each, written to {}",
+        problem.stiffness.len(),
+        problem.dofs(),
+        problem.pairs(),
+        problem.tangents(),
+        arguments.to.display()
     );
     Ok(crate::SUCCESS)
-}
-
-fn write(document: &Document, path: &Path) -> miette::Result<()> {
-    if is_text(path) {
-        return write_file(path, |out| document.write_dat(out)).into_diagnostic();
-    }
-    #[cfg(feature = "fclib")]
-    return write_file(path, |out| document.write_hdf5(out)).into_diagnostic();
-    #[cfg(not(feature = "fclib"))]
-    Err(miette!(
-        "this program was built without HDF5: build with `--features fclib`"
-    ))
 }

@@ -3,5 +3,6 @@
 pub mod bench;
 pub mod export;
 pub mod fclib;
+pub mod matrices;
 pub mod options;
 pub mod solve;

@@ -1,4 +1,4 @@
-//! `tresca solve`: a case file in, result files and a verdict out.
+//! `tresca solve`: a case file (or matrices: see `matrices` and `fclib`) in, result files and a verdict out.
 
 use std::path::Path;
 
@@ -7,8 +7,8 @@ use tresca::Run;
 use tresca::case::Case;
 use tresca::output::Destination;
 
+use super::{fclib, matrices};
 use crate::args::{SolveArguments, use_threads};
-use crate::commands::fclib;
 use crate::interrupt::Interrupt;
 use crate::terminal::{monitor::Monitor, verdict};
 
@@ -19,8 +19,11 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     }
     if arguments.law.is_some() || arguments.bound.is_some() {
         return Err(miette!(
-            "--law and --bound are for problems of FCLIB and Siconos; a case file has its own laws"
+            "--law and --bound are for problems of FCLIB and Siconos; others have their own laws"
         ));
+    }
+    if matrices::is_problem(&arguments.case) {
+        return matrices::run(arguments);
     }
     let case = Case::load(&arguments.case)?;
     let settings = arguments.solver.over(case.settings())?;

@@ -50,8 +50,8 @@ impl Monitor {
         self.spinner.enable_steady_tick(Duration::from_millis(120));
     }
 
-    /// Prints the head of the iteration table.
-    pub fn head(&self) {
+    /// The head of the iteration table.
+    fn header(&self) {
         if !self.print {
             return;
         }
@@ -84,7 +84,10 @@ impl Progress for Monitor {
         match stage {
             Stage::Assembly => self.spin("assembling"),
             Stage::Factorization => self.spin("factoring the bodies"),
-            Stage::Solve => self.finish(),
+            Stage::Solve => {
+                self.finish();
+                self.header();
+            }
             Stage::Recovery => self.spin("recovering displacements, checking the result"),
         }
         self.flow()
@@ -104,7 +107,7 @@ impl Progress for Monitor {
         );
         if description.held_pairs > 0 {
             println!(
-                "{} pairs are left out: both of their nodes are held",
+                "{} pairs are left out: nothing lets them move",
                 grouped(description.held_pairs)
             );
         }
@@ -135,7 +138,6 @@ impl Progress for Monitor {
             let name = step.name.as_deref().unwrap_or("");
             println!("\nload step {number} of {count}, time {} {name}", step.time);
         }
-        self.head();
     }
 
     fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {
