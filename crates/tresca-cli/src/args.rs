@@ -18,13 +18,12 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Solve a case file, or a problem given as matrices, or one of FCLIB or Siconos; write fields, history
-    /// and summary.
+    /// Solve a case file, or a problem given as matrices (our own files, FCLIB, Siconos); write fields, history and summary.
     ///
     /// Exit code 0: converged. 1: not converged or interrupted; the results are written and
     /// marked. 2: wrong input; nothing is written. 130: interrupted before there was a result.
     Solve(SolveArguments),
-    /// Write the problem of a case for other programs: its matrices, or its contacts in FCLIB's form.
+    /// Write the assembled matrices of a case: K by bodies, N, T, load, gaps, friction.
     Export(ExportArguments),
     /// Reproduce published experiments.
     Bench(BenchArguments),
@@ -34,9 +33,9 @@ pub enum Command {
 
 #[derive(Debug, Args)]
 pub struct SolveArguments {
-    /// The case file (TOML; see docs/case-file.md); or matrices: an .npz archive or a directory of
-    /// Matrix Market files (see docs/problem-files.md); or a problem of FCLIB (.hdf5, .h5) or Siconos
-    /// (.dat; see docs/fclib.md).
+    /// The case file (TOML; see docs/case-file.md), or matrices: an .npz archive or a directory of
+    /// Matrix Market files (see docs/problem-files.md), a problem of FCLIB (.hdf5, .h5) or Siconos (.dat;
+    /// see docs/fclib.md).
     pub case: PathBuf,
     /// Directory for the results (default: `out/` and the case's name).
     #[arg(long, value_name = "DIR")]
@@ -72,17 +71,15 @@ pub enum Law {
 pub struct ExportArguments {
     /// The case file (TOML; see docs/case-file.md).
     pub case: PathBuf,
-    /// Where to: `<name>.npz` for a NumPy archive of the matrices, `<name>.hdf5` or `.h5` for FCLIB,
-    /// `<name>.dat` for Siconos, else a directory for Matrix Market files.
+    /// Where to: `<name>.npz` for a NumPy archive, `.hdf5` or `.h5` for FCLIB, `.dat` for the text of
+    /// Siconos (both of them W, q and μ, for Coulomb friction or none), else a directory for Matrix Market
+    /// files.
     #[arg(long, value_name = "PATH")]
     pub to: PathBuf,
-    /// Matrices: number of the load step, from 1; needed when the case has several. The slip of the
-    /// steps before is not known and taken as zero.
+    /// Number of the load step, from 1; needed when the case has several. The slip of the steps before is
+    /// not known and taken as zero.
     #[arg(long, value_name = "N")]
     pub step: Option<NonZeroUsize>,
-    /// For FCLIB, whose files hold a solution, too.
-    #[command(flatten)]
-    pub solver: SolverArguments,
 }
 
 /// Options that override those of the case file.

@@ -5,8 +5,8 @@
 //! |---|---|
 //! | [`case`] | reads and checks a case file |
 //! | [`expression`] | formulas in x, y, z |
-//! | [`problem`] | contact problems as matrices: `.npz` archives, Matrix Market folders |
 //! | [`fclib`] | frictional contact problems of the Siconos group |
+//! | [`problem`] | contact problems as matrices: `.npz` archives, Matrix Market folders |
 //! | [`atomic`] | sets of files that appear together or not at all |
 //! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
 //! | [`results`] | the fields of a solved case and their names |

@@ -48,7 +48,6 @@ pub mod model;
 mod outcome;
 pub mod output;
 pub mod progress;
-mod record_table;
 mod solve;
 mod summary;
 pub mod two_bricks;

@@ -17,7 +17,7 @@ use tresca_io::{WriteError, summary};
 
 use crate::model::{Body, Model};
 use crate::outcome::{Outcome, PairState, StepOutcome};
-use crate::{IterationRecord, Summary, VERSION, record_table};
+use crate::{IterationRecord, Summary, VERSION};
 
 /// Name of the file with the contact fields.
 const CONTACT: &str = "contact";
@@ -176,14 +176,41 @@ fn history(outcome: &Outcome) -> Result<History, WriteError> {
 pub(crate) fn history_table<'a>(
     steps: impl IntoIterator<Item = (usize, &'a [IterationRecord])>,
 ) -> Result<History, WriteError> {
-    let mut columns = vec!["step"];
-    columns.extend(record_table::COLUMNS);
-    let mut table = History::new(&columns);
+    let mut table = History::new(&[
+        "step",
+        "iteration",
+        "outer",
+        "relative_reduced_gradient",
+        "dual_objective",
+        "decrease",
+        "open",
+        "closed",
+        "stick",
+        "slip",
+        "set_changes",
+        "inner_iterations",
+        "n_a",
+        "step_length",
+    ]);
     for (number, records) in steps {
         for record in records {
-            let mut row = vec![number.into()];
-            row.extend(record_table::row(record));
-            table.push(&row)?;
+            let counts = record.counts;
+            table.push(&[
+                number.into(),
+                record.iteration.into(),
+                record.outer.into(),
+                record.relative_reduced_gradient.into(),
+                record.objective.into(),
+                record.decrease.into(),
+                counts.open.into(),
+                counts.closed.into(),
+                counts.stick.into(),
+                counts.slip.into(),
+                record.set_changes.into(),
+                record.inner_iterations.into(),
+                record.n_a.into(),
+                record.step_length.into(),
+            ])?;
         }
     }
     Ok(table)

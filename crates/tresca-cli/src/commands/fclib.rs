@@ -1,14 +1,16 @@
-//! `tresca solve` of a problem of FCLIB or Siconos.
+//! `tresca solve` of a problem of FCLIB or Siconos, and `tresca export` to one.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use miette::{IntoDiagnostic, miette};
-use tresca::fclib::{self, Law, Summary};
-use tresca::output::Destination;
-use tresca::{IterationRecord, Progress, Settings, Status};
+use miette::{IntoDiagnostic, Report, miette};
+use tresca::case::Case;
+use tresca::fclib::{self, Document, Law, Summary};
+use tresca::output::{Destination, write_file};
+use tresca::{IterationRecord, Progress, Run, Settings, Silent, Stage, Status};
 
 use super::solve::case_name;
-use crate::args::{self, SolveArguments};
+use crate::args::{self, ExportArguments, SolveArguments};
 use crate::interrupt::Interrupt;
 use crate::terminal::format::seconds;
 use crate::terminal::monitor::Monitor;
@@ -19,14 +21,14 @@ pub fn is_problem(path: &Path) -> bool {
 }
 
 /// FCLIB.
-pub fn is_hdf5(path: &Path) -> bool {
+fn is_hdf5(path: &Path) -> bool {
     ["hdf5", "h5"]
         .iter()
         .any(|known| has_extension(path, known))
 }
 
 /// The text of Siconos.
-pub fn is_text(path: &Path) -> bool {
+fn is_text(path: &Path) -> bool {
     has_extension(path, "dat")
 }
 
@@ -64,7 +66,7 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         );
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
-    monitor.header();
+    let _ = monitor.stage(Stage::Solve);
     let mut observer = |record: &IterationRecord| monitor.iteration(record);
     let outcome = fclib::solve(problem, law, &settings, &mut observer).into_diagnostic()?;
     let summary =
@@ -136,4 +138,54 @@ fn print(summary: &Summary, directory: &Path) {
         seconds(times.solve)
     );
     println!("results in {}", directory.display());
+}
+
+/// Solves the case and writes the problem of its last load step, with the solution where the format has
+/// a place for it.
+pub fn export(arguments: &ExportArguments) -> miette::Result<u8> {
+    if arguments.step.is_some() {
+        return Err(miette!(
+            "--step is not for FCLIB and Siconos: all steps are solved, and the last one is exported"
+        ));
+    }
+    let case = Case::load(&arguments.case)?;
+    let settings = case.settings();
+    let located = |error| Report::new(case.locate(&error));
+    let model = &case.model;
+    let ControlFlow::Continue(mut prepared) =
+        tresca::prepare(model, settings, &mut Silent).map_err(located)?
+    else {
+        return Ok(crate::INTERRUPTED);
+    };
+    let Run::Finished(outcome) = prepared
+        .solve(model, settings, &mut Silent)
+        .map_err(located)?
+    else {
+        return Ok(crate::INTERRUPTED);
+    };
+    let document = fclib::document(model, &mut prepared, &outcome).into_diagnostic()?;
+    write(&document, &arguments.to)?;
+    println!(
+        "{}: {} contacts in {} dimensions{}",
+        arguments.to.display(),
+        document.problem.contacts(),
+        document.problem.dimension(),
+        match (&document.solution, is_hdf5(&arguments.to)) {
+            (Some(_), true) => ", with the solution",
+            _ => "",
+        }
+    );
+    Ok(crate::SUCCESS)
+}
+
+fn write(document: &Document, path: &Path) -> miette::Result<()> {
+    if is_text(path) {
+        return write_file(path, |out| document.write_dat(out)).into_diagnostic();
+    }
+    #[cfg(feature = "fclib")]
+    return write_file(path, |out| document.write_hdf5(out)).into_diagnostic();
+    #[cfg(not(feature = "fclib"))]
+    Err(miette!(
+        "this program was built without HDF5: build with `--features fclib`"
+    ))
 }

@@ -1,4 +1,4 @@
-//! `tresca solve`: a case file (or matrices: see `matrices`) in, result files and a verdict out.
+//! `tresca solve`: a case file (or matrices: see `matrices` and `fclib`) in, result files and a verdict out.
 
 use std::path::Path;
 
@@ -14,16 +14,16 @@ use crate::terminal::{monitor::Monitor, verdict};
 
 pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
-    if matrices::is_problem(&arguments.case) {
-        return matrices::run(arguments);
-    }
     if fclib::is_problem(&arguments.case) {
         return fclib::run(arguments);
     }
     if arguments.law.is_some() || arguments.bound.is_some() {
         return Err(miette!(
-            "--law and --bound are for problems of FCLIB and Siconos; a case file has its own laws"
+            "--law and --bound are for problems of FCLIB and Siconos; others have their own laws"
         ));
+    }
+    if matrices::is_problem(&arguments.case) {
+        return matrices::run(arguments);
     }
     let case = Case::load(&arguments.case)?;
     let settings = arguments.solver.over(case.settings())?;

@@ -50,8 +50,8 @@ impl Monitor {
         self.spinner.enable_steady_tick(Duration::from_millis(120));
     }
 
-    /// Prints the head of the iteration table.
-    pub fn header(&self) {
+    /// The head of the iteration table.
+    fn header(&self) {
         if !self.print {
             return;
         }

@@ -13,7 +13,8 @@ use tresca_la::vector::norm;
 use tresca_qcqp::{Settings, StateCounts, Status};
 
 use super::{Law, MatrixFacts, Outcome, Residuals};
-use crate::{VERSION, record_table};
+use crate::VERSION;
+use crate::output::history_table;
 
 /// Asymmetry that is not worth a remark.
 const ROUNDING: f64 = 1e-14;
@@ -178,7 +179,9 @@ pub fn write(
     files.stage("solution.csv", |out| {
         solution(&document.problem, outcome)?.write(out)
     })?;
-    files.stage("history.csv", |out| history(outcome)?.write(out))?;
+    files.stage("history.csv", |out| {
+        history_table([(1, &outcome.solution.records[..])])?.write(out)
+    })?;
     files.stage("summary.json", |out| summary::write(out, &result))?;
     files.commit()?;
     Ok(result)
@@ -222,14 +225,6 @@ fn solution(problem: &Problem, outcome: &Outcome) -> Result<History, WriteError>
         row.extend(r.iter().chain(u).map(|&value| Value::from(value)));
         row.push(bound.into());
         table.push(&row)?;
-    }
-    Ok(table)
-}
-
-fn history(outcome: &Outcome) -> Result<History, WriteError> {
-    let mut table = History::new(&record_table::COLUMNS);
-    for record in &outcome.solution.records {
-        table.push(&record_table::row(record))?;
     }
     Ok(table)
 }
