@@ -37,6 +37,7 @@ pub mod dual;
 mod elastic;
 mod ellipse;
 mod error;
+pub mod fclib;
 mod floating;
 mod layout;
 pub mod linear;

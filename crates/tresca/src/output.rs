@@ -116,6 +116,24 @@ impl Destination {
     }
 }
 
+/// Writes a single file, whole or not at all, replacing an earlier one.
+///
+/// # Errors
+/// Those of `write` and of the file system.
+pub fn write_file(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
+) -> Result<(), WriteError> {
+    let directory = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let mut files = OutputSet::new(directory.unwrap_or(Path::new(".")))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    files.stage(&name, write)?;
+    files.commit()?;
+    Ok(())
+}
+
 /// What every result file says about its origin.
 fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, Fact)> {
     let solution = &step.solution;
