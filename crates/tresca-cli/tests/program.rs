@@ -166,13 +166,21 @@ fn wrong_input_has_exit_code_2_and_destroys_nothing() {
         "{message}"
     );
 
-    let floating = small_case().replace(r#""upper.x+", "#, "");
+    let satellite = r#"
+[[body]]
+name = "satellite"
+mesh = { brick = { min = [9.0, 0.0, 0.0], max = [10.0, 1.0, 1.0], nodes = [2, 2, 2] } }
+material = { young = 1.0, poisson = 0.3 }
+"#;
+    let line = small_case().lines().count() + 3;
+    let floating = small_case() + satellite;
     fs::write(scene.path("small.toml"), floating).unwrap();
     let output = scene.tresca(&["solve", "small.toml"]);
     assert_eq!(output.status.code(), Some(2));
     let message = stderr(&output);
     assert!(
-        message.contains("small.toml:7") && message.contains("`upper` is not held"),
+        message.contains(&format!("small.toml:{line}"))
+            && message.contains("`satellite` is not held"),
         "{message}"
     );
 

@@ -13,7 +13,12 @@ use crate::tensor::{cross, norm, sub};
 pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
     let areas = nodal_areas(mesh, faces).into_iter();
     areas
-        .flat_map(|area| traction.into_iter().take(mesh.dimension()).map(move |t| area * t))
+        .flat_map(|area| {
+            traction
+                .into_iter()
+                .take(mesh.dimension())
+                .map(move |t| area * t)
+        })
         .collect()
 }
 

@@ -10,7 +10,7 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 use crate::WriteError;
 
@@ -28,7 +28,8 @@ pub struct OutputSet {
 #[derive(Debug)]
 struct Staged {
     name: String,
-    file: NamedTempFile,
+    /// Closed: a run of many load steps has more files than a process may hold open.
+    file: TempPath,
 }
 
 impl OutputSet {
@@ -72,7 +73,7 @@ impl OutputSet {
             .map_err(WriteError::io("write", &target))?;
         self.staged.push(Staged {
             name: name.to_owned(),
-            file,
+            file: file.into_temp_path(),
         });
         Ok(())
     }
@@ -135,7 +136,7 @@ impl Renamed {
     }
 }
 
-fn rename(file: NamedTempFile, target: &Path) -> Result<Renamed, WriteError> {
+fn rename(file: TempPath, target: &Path) -> Result<Renamed, WriteError> {
     let earlier = match fs::symlink_metadata(target) {
         Ok(_) => Some(keep_earlier(target).map_err(WriteError::io("keep the earlier", target))?),
         Err(_) => None,

@@ -1,7 +1,7 @@
 //! One solve from the outside: checks, what is to be known of A, the way to the solution, the outcome.
 
 use crate::coulomb::{self, Frictional};
-use crate::equality::{self, Balanced, Reach};
+use crate::equality::{self, Balanced};
 use crate::error::check_vector;
 use crate::methods::{self, Memory};
 use crate::session::{Ending, Inner, Journal, Session};
@@ -45,20 +45,17 @@ pub fn solve(
         problem.set = ending.set.clone();
         return Ok(ending.into_solution(settings, journal, n_a_before, 0.0));
     }
-    if problem.memory.is_none() {
-        let spectrum = spectrum::estimate(&mut *problem.operator)?;
-        problem.memory = Some(Memory::new(spectrum));
-    }
     let DualProblem {
         operator,
         rhs,
         set,
         law,
         balance,
-        memory: Some(memory),
-    } = problem
-    else {
-        unreachable!("the memory has just been made")
+        memory,
+    } = problem;
+    let memory = match memory {
+        Some(memory) => memory,
+        none => none.insert(Memory::new(spectrum::estimate(&mut **operator)?)),
     };
     journal.n_a_setup = *operator.counter() - n_a_before;
     let mut session = Session {
@@ -68,41 +65,46 @@ pub fn solve(
         observer,
         journal,
     };
-    let tolerance = settings.tolerance;
-    let mut ending = if !law.is_empty() {
-        let frictional = Frictional {
-            rhs,
-            set,
-            law,
-            balance: balance.as_ref(),
-        };
-        coulomb::solve(&mut session, &frictional, start)
-    } else if let Some(balance) = balance {
-        let reach = Reach::frozen(set);
-        let balanced = Balanced {
-            rhs,
-            set,
-            law: None,
-            balance,
-            reach: Some(&reach),
-            tolerance,
-        };
-        let multiplier = balance.coordinates(start.map_or(&[], |s| s.multiplier));
-        equality::solve(
-            &mut session,
-            &balanced,
-            start.map(|s| s.lambda),
-            &multiplier,
-        )
-    } else {
-        session.solve(&Inner::plain(rhs, set, tolerance), start.map(|s| s.lambda))
+    let frictional = Frictional {
+        rhs,
+        set,
+        law,
+        balance: balance.as_ref(),
     };
+    let mut ending = solve_by_kind(&mut session, &frictional, start);
     if let Some(balance) = balance {
         ending.multiplier = balance.motion(&ending.multiplier);
         ending.motion = ending.motion.map(|motion| unit(balance.motion(&motion)));
     }
     *set = ending.set.clone();
     Ok(session.into_solution(ending))
+}
+
+/// The way to the solution that the parts of the problem ask for.
+fn solve_by_kind(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
+    let Frictional {
+        rhs,
+        set,
+        law,
+        balance,
+    } = *problem;
+    if !law.is_empty() {
+        return coulomb::solve(session, problem, start);
+    }
+    let tolerance = session.settings.tolerance;
+    let lambda = start.map(|start| start.lambda);
+    let Some(balance) = balance else {
+        return session.solve(&Inner::plain(rhs, set, tolerance), lambda);
+    };
+    let balanced = Balanced {
+        rhs,
+        set,
+        law: None,
+        balance,
+        tolerance,
+    };
+    let alpha = start.map_or(&[][..], |start| start.multiplier);
+    equality::solve(session, &balanced, lambda, &balance.coordinates(alpha))
 }
 
 /// λ = 0 when it solves the problem: P(ρ b) = 0 for one ρ is P(ρ b) = 0 for all, so no σmax is

@@ -4,7 +4,7 @@ mod common;
 
 use common::problems::{KINDS, Kind, random, rng};
 use common::{Plain, distance, norm, oracle, settings};
-use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine, Interval};
+use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine, Point};
 use tresca_qcqp::{InnerSolver, Method, ProductSet, Settings, Silent, Solution, Status, solve};
 
 const GLOBAL: [Method; 3] = [Method::Gimssn, Method::Grssn, Method::Apgd];
@@ -234,7 +234,7 @@ fn unknowns_without_effect_are_harmless() {
             padded.b.push(b);
         }
         let mut blocks = plain.set.blocks().to_vec();
-        let point = BlockSet::Interval(Interval { bound: 0.0 });
+        let point = BlockSet::Point(Point);
         blocks.insert(
             2,
             Block {

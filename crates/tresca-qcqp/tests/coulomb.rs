@@ -275,7 +275,7 @@ fn a_widening_spiral_is_recognised() {
         let start = [0.0; 4];
         solve(
             &mut problem,
-            &Settings::default(),
+            &settings(CoulombMethod::FixedPoint),
             Some(start[..].into()),
             &mut Silent,
         )
@@ -296,20 +296,28 @@ fn a_block_on_an_incline_slides_when_friction_is_too_small() {
     let half = HalfSpace::new(6, 0.3);
     for coefficient in [0.2, 0.6] {
         for coulomb in METHODS {
-            for (share, possible) in [
+            for (number, (share, possible)) in [
                 (0.0, true),
                 (0.7, true),
                 (0.999, true),
                 (1.001, false),
                 (1.5, false),
-            ] {
+            ]
+            .into_iter()
+            .enumerate()
+            {
                 let what = format!("F = {coefficient}, {coulomb}, {share} of the limit");
                 let floating = half.block([share * coefficient, 0.0, -1.0], 0.05, |_| 0.0);
                 let mut problem = floating
                     .problem()
                     .with_coulomb(half.law(coefficient))
                     .unwrap();
-                let solution = solve(&mut problem, &settings(coulomb), None, &mut Silent).unwrap();
+                let inner_solver = [InnerSolver::Direct, InnerSolver::Iterative][number % 2];
+                let settings = Settings {
+                    inner_solver,
+                    ..settings(coulomb)
+                };
+                let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
                 if !possible {
                     assert_eq!(solution.status, Status::NoEquilibrium, "{what}");
                     let motion = solution.motion.unwrap();
@@ -501,4 +509,51 @@ fn wrong_laws_are_refused() {
         error.contains("coulomb") && error.contains("grssn"),
         "{error}"
     );
+}
+
+/// A loose reduced gradient must not keep the bounds from settling.
+#[test]
+fn bounds_settle_under_a_loose_tolerance() {
+    let half = HalfSpace::new(6, 0.3);
+    let plain = indentation(&half);
+    for coulomb in METHODS {
+        for inner_solver in [InnerSolver::Direct, InnerSolver::Iterative] {
+            let settings = Settings {
+                tolerance: 1e-2,
+                inner_solver,
+                ..settings(coulomb)
+            };
+            let (problem, solution) = run(&plain, half.law(0.5), &settings);
+            assert_eq!(
+                solution.status,
+                Status::Converged,
+                "{coulomb}, {inner_solver}"
+            );
+            assert!(solution.relative_reduced_gradient <= 1e-2);
+            assert_bounds_follow(&problem, &solution, 1e-6);
+        }
+    }
+}
+
+/// A block without load on a support with friction: apart, touching, and pushed into it.
+#[test]
+fn a_block_without_load_needs_no_friction() {
+    let half = HalfSpace::new(5, 0.3);
+    for (number, gap) in [0.1, 0.0, 0.0, -0.02].into_iter().enumerate() {
+        let curved = if number == 2 { 0.0 } else { 0.3 };
+        let floating = half.block([0.0; 3], 0.0, |p| {
+            gap + curved * (p[0] * p[0] + p[1] * p[1])
+        });
+        for coulomb in METHODS {
+            let mut problem = floating.problem().with_coulomb(half.law(0.5)).unwrap();
+            let solution = solve(&mut problem, &settings(coulomb), None, &mut Silent).unwrap();
+            let what = format!("{coulomb}, case {number}");
+            assert_eq!(solution.status, Status::Converged, "{what}");
+            assert!(
+                norm(&solution.lambda) <= 1e-7,
+                "{what}: {:.1e}",
+                norm(&solution.lambda)
+            );
+        }
+    }
 }

@@ -392,8 +392,8 @@ fn units_change_neither_counts_nor_verdicts() {
             for i in 0..6 {
                 rows[i].iter_mut().for_each(|g| *g *= row(i));
                 rhs[i] *= row(i) * force;
-                for j in 0..6 {
-                    metric[i][j] *= length / force / row(i) / row(j);
+                for (j, entry) in metric[i].iter_mut().enumerate() {
+                    *entry *= length / force / row(i) / row(j);
                 }
             }
             let plain = &mut floating.plain;

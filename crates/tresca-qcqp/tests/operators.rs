@@ -9,6 +9,7 @@ use faer::{Mat, Side, prelude::Solve};
 use std::sync::Arc;
 use tresca_la::{Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 use tresca_qcqp::operator::{Condensed, Coupling, Dense, Factored, LocalModel, groups};
+use tresca_qcqp::sets::{BlockSet, Disc, Interval};
 use tresca_qcqp::{
     DualOperator, DualProblem, InnerSolver, Method, ProductSet, Settings, Silent, solve,
 };
@@ -281,6 +282,90 @@ fn engines_lead_to_the_same_solution() {
             n_a <= pairs_n_a + 5,
             "{n_a} products, {pairs_n_a} with the model of single pairs"
         );
+    }
+}
+
+/// Unknowns of a pair that is held on both sides: zero rows, points as their sets, and any b.
+#[test]
+fn held_pairs_are_harmless_in_every_engine() {
+    let n = 3 * PAIRS;
+    let mut rhs = normals(&mut rng(5), n);
+    let set = |held: bool| {
+        let mut blocks = ProductSet::contact_3d(&[0.2; PAIRS])
+            .unwrap()
+            .blocks()
+            .to_vec();
+        let point = BlockSet::Interval(Interval { bound: 0.0 });
+        if held {
+            blocks[PAIRS - 1].set = point;
+            blocks[2 * PAIRS - 1].set = BlockSet::Disc(Disc { bound: 0.0 });
+        }
+        ProductSet::new(n, blocks).unwrap()
+    };
+    let run = |operator: Box<dyn DualOperator>, rhs: &[f64], held, method, inner_solver| {
+        let settings = Settings {
+            inner_solver,
+            ..settings(method, 1e-10)
+        };
+        let mut problem = DualProblem::new(Boxed(operator), rhs.to_vec(), set(held)).unwrap();
+        let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+        assert!(
+            solution.status.is_converged(),
+            "{method}: {}",
+            solution.status
+        );
+        solution.lambda
+    };
+    let mut harmless = rhs.clone();
+    harmless[PAIRS - 1] = -1.0;
+    harmless[n - 2..].fill(0.0);
+    let iterative = InnerSolver::Iterative;
+    let reference = run(
+        Box::new(condensed(pairs())),
+        &harmless,
+        false,
+        Method::Grssn,
+        iterative,
+    );
+    rhs[PAIRS - 1] = 2.0;
+    for method in [Method::Grssn, Method::Apgd, Method::Gimssn] {
+        for inner_solver in [iterative, InnerSolver::Direct] {
+            let engines: [Box<dyn DualOperator>; 4] = [
+                Box::new(condensed(pairs())),
+                Box::new(condensed(patches())),
+                Box::new(factored(&patches())),
+                Box::new(condensed(patches()).explicit(Parallelism::Sequential)),
+            ];
+            for engine in engines {
+                let lambda = run(engine, &rhs, true, method, inner_solver);
+                assert!(
+                    distance(&lambda, &reference) <= 1e-7 * norm(&reference),
+                    "{method}"
+                );
+                assert_eq!((lambda[PAIRS - 1], &lambda[n - 2..]), (0.0, &[0.0; 2][..]));
+            }
+        }
+    }
+}
+
+/// An engine behind a pointer.
+struct Boxed(Box<dyn DualOperator>);
+
+impl DualOperator for Boxed {
+    fn dim(&self) -> usize {
+        DualOperator::dim(&*self.0)
+    }
+    fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        self.0.multiply(x, y);
+    }
+    fn counter(&mut self) -> &mut usize {
+        self.0.counter()
+    }
+    fn local_model(&self) -> LocalModel {
+        self.0.local_model()
+    }
+    fn explicit(&self) -> Option<&tresca_la::PackedLower> {
+        self.0.explicit()
     }
 }
 

@@ -2,13 +2,16 @@
 
 use proptest::prelude::*;
 use tresca_qcqp::ProductSet;
-use tresca_qcqp::sets::{Block, BlockSet, BlockState, ConvexSet, Disc, HalfLine, Interval, Line};
+use tresca_qcqp::sets::{
+    Block, BlockSet, BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Point,
+};
 
 fn any_set() -> impl Strategy<Value = BlockSet> {
     let bound = prop_oneof![Just(0.0), 1e-8..1e-6, 0.1..3.0, 1e6..1e9];
     prop_oneof![
         Just(BlockSet::Line(Line)),
         Just(BlockSet::HalfLine(HalfLine)),
+        Just(BlockSet::Point(Point)),
         bound
             .clone()
             .prop_map(|bound| BlockSet::Interval(Interval { bound })),
@@ -145,8 +148,10 @@ proptest! {
         }
         prop_assert_eq!(p, expected);
         let counts = active.counts();
-        let lines = blocks.iter().filter(|block| matches!(block.set, BlockSet::Line(_))).count();
-        prop_assert_eq!(counts.open + counts.closed + counts.stick + counts.slip + lines, blocks.len());
+        // Neither a line nor a point has two sides.
+        let sideless = |block: &&Block| matches!(block.set, BlockSet::Line(_) | BlockSet::Point(_));
+        let others = blocks.iter().filter(sideless).count();
+        prop_assert_eq!(counts.open + counts.closed + counts.stick + counts.slip + others, blocks.len());
         prop_assert_eq!(active.changes(&active), 0);
     }
 }

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::half_space::HalfSpace;
 use common::problems::{Kind, normals, random, rng};
 use common::{Plain, distance, norm, settings};
 use std::sync::Arc;
@@ -10,8 +11,8 @@ use tresca_la::PackedLower;
 use tresca_qcqp::operator::{Dense, LocalModel};
 use tresca_qcqp::sets::{Block, BlockSet, Disc, Interval};
 use tresca_qcqp::{
-    DualOperator, DualProblem, InnerSolver, Method, ProductSet, Settings, Silent, Solution, Status,
-    solve,
+    CoulombMethod, DualOperator, DualProblem, InnerSolver, Method, ProductSet, Settings, Silent,
+    Solution, Status, solve,
 };
 
 /// Counts the products that really happen, apart from the operator's own counter.
@@ -189,5 +190,70 @@ fn work_stays_within_its_band() {
     assert!(
         inside,
         "work has left its band (iterations, n_A):\n{report}"
+    );
+}
+
+/// The same for problems with outer iterations: a floating block, held by Tresca's or Coulomb's law.
+#[test]
+fn work_of_outer_iterations_stays_within_its_band() {
+    let half = HalfSpace::new(10, 0.3);
+    let m = half.pairs();
+    let mut tresca = half.block([0.2, 0.1, -1.0], 0.3, |p| 0.1 * (p[0] * p[0] + p[1] * p[1]));
+    tresca.plain.set = ProductSet::contact_3d(&vec![0.4 / m as f64; m]).unwrap();
+    let table = [
+        (None, InnerSolver::Direct, 5, 5, 28),
+        (None, InnerSolver::Iterative, 5, 8, 83),
+        (
+            Some(CoulombMethod::FixedPoint),
+            InnerSolver::Direct,
+            17,
+            8,
+            49,
+        ),
+        (
+            Some(CoulombMethod::FixedPoint),
+            InnerSolver::Iterative,
+            21,
+            13,
+            208,
+        ),
+        (Some(CoulombMethod::InLoop), InnerSolver::Direct, 5, 7, 36),
+        (
+            Some(CoulombMethod::InLoop),
+            InnerSolver::Iterative,
+            5,
+            15,
+            111,
+        ),
+    ];
+    let (mut report, mut inside) = (String::new(), true);
+    for (coulomb, inner_solver, problems, iterations, n_a) in table {
+        let mut settings = Settings {
+            inner_solver,
+            ..Settings::default()
+        };
+        let mut problem = tresca.problem();
+        if let Some(coulomb) = coulomb {
+            settings.coulomb = coulomb;
+            problem = problem.with_coulomb(half.law(0.5)).unwrap();
+        }
+        let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+        assert_eq!(solution.status, Status::Converged);
+        let found = 1 + solution.records.last().unwrap().outer;
+        let within = |found: usize, expected: usize| {
+            found.abs_diff(expected) as f64 <= 1.0 + 0.15 * expected as f64
+        };
+        inside &= within(found, problems)
+            && within(solution.iterations, iterations)
+            && within(solution.n_a, n_a);
+        report += &format!(
+            "{coulomb:?} {inner_solver}: {:?}, table {:?}\n",
+            (found, solution.iterations, solution.n_a),
+            (problems, iterations, n_a)
+        );
+    }
+    assert!(
+        inside,
+        "work has left its band (inner problems, iterations, n_A):\n{report}"
     );
 }

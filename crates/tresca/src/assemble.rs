@@ -112,7 +112,11 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         return Err(ModelError::NoContact);
     }
     let dof_maps = (0..model.bodies().len())
-        .map(|body| Ok(DofMap::new(&supports(model, body, |k| model.supports()[k].components)?)))
+        .map(|body| {
+            Ok(DofMap::new(&supports(model, body, |k| {
+                model.supports()[k].components
+            })?))
+        })
         .collect::<Result<Vec<_>, ModelError>>()?;
     // Contact geometry first: it is quick, and its errors should not wait for the stiffness.
     let contacts = model
@@ -142,9 +146,14 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
     if contacts.iter().all(|data| data.pairs.is_empty()) {
         return Err(ModelError::NoFreePairs);
     }
-    let openings = model.contacts().iter().map(|contact| contact.friction.opening());
+    let openings = model
+        .contacts()
+        .iter()
+        .map(|contact| contact.friction.opening());
     let pairs = openings.zip(&contacts).flat_map(|(opening, data)| {
-        data.pairs.iter().map(move |pair| (opening, pair.mobility, pair.sliding))
+        data.pairs
+            .iter()
+            .map(move |pair| (opening, pair.mobility, pair.sliding))
     });
     let layout = Layout::new(model.dimension(), pairs);
 
@@ -174,12 +183,12 @@ pub(crate) fn supports(
             for node in body.mesh.nodes_of_faces(model.faces(surface)) {
                 for (component, value) in values.into_iter().enumerate() {
                     if let Some(value) = value {
-                        supports.prescribe(node, component, value).map_err(|source| {
-                            ModelError::Body {
+                        supports
+                            .prescribe(node, component, value)
+                            .map_err(|source| ModelError::Body {
                                 body: body.name.clone(),
                                 source,
-                            }
-                        })?;
+                            })?;
                     }
                 }
             }
@@ -255,9 +264,11 @@ fn body_contact(model: &Model, contacts: &[ContactData], body: usize, columns: u
 fn weighted_free_part(contact: &Coupling, dofs: &DofMap, weights: &[f64]) -> Coupling {
     let mut rows = RowStack::default();
     for (row, weight) in weights.iter().enumerate() {
-        rows.extend(contact.row(row).filter_map(|(column, value)| {
-            Some((dofs.free_of_full(column)?, weight * value))
-        }));
+        rows.extend(
+            contact
+                .row(row)
+                .filter_map(|(column, value)| Some((dofs.free_of_full(column)?, weight * value))),
+        );
         rows.end_row();
     }
     rows.finish(dofs.free_len())

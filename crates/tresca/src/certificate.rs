@@ -12,7 +12,9 @@ use tresca_la::vector::norm;
 use crate::ModelError;
 use crate::assemble::Assembled;
 use crate::load_step::Acting;
-use crate::measures::{ElasticSums, Interface, Pairs, certificate, largest, scale};
+use crate::measures::{
+    ElasticSums, Interface, Pairs, ROUNDING_OF_FORCES, certificate, largest, scale,
+};
 use crate::model::Model;
 
 /// How far a pair (u, λ) is from solving the contact problem (docs/theory.md, "The contact problem").
@@ -34,6 +36,8 @@ pub struct Certificate {
     /// friction at its bound dissipates along it, g‖s‖ for isotropic friction: zero exactly when every pair
     /// that slips does so at its bound in the direction that its law asks for.
     pub slip_law: f64,
+    /// Σ max(−λτ,i·s_i, 0) over the elastic energy: friction only ever takes work out.
+    pub negative_dissipation: f64,
     /// (primal energy − dual energy) over the elastic energy, with the primal energy
     /// ½uᵀKu − fᵀu + Σ h_i(s_i) and the dual energy −q(λ) − ½fᵀK⁺f. With Coulomb's law that of the
     /// problem whose bounds are F λν.
@@ -75,7 +79,7 @@ impl Certificate {
     }
 
     /// The figures that concern the whole model, with their names.
-    pub fn items(&self) -> [(&'static str, f64); 7] {
+    pub fn items(&self) -> [(&'static str, f64); 8] {
         [
             ("equilibrium", self.equilibrium),
             ("penetration", self.penetration),
@@ -83,6 +87,7 @@ impl Certificate {
             ("complementarity", self.complementarity),
             ("cone violation", self.cone_violation),
             ("slip law", self.slip_law),
+            ("negative dissipation", self.negative_dissipation),
             ("duality gap", self.duality_gap),
         ]
     }
@@ -118,7 +123,9 @@ pub fn certify(
     for (index, system) in assembled.bodies.iter().enumerate() {
         let u = system.dofs.restrict(&candidate.displacements[index]);
         let f = &candidate.acting.free_loads[index];
-        let contact = system.dofs.restrict(&assembled.contact_forces(index, candidate.lambda));
+        let contact = system
+            .dofs
+            .restrict(&assembled.contact_forces(index, candidate.lambda));
         let mut internal = vec![0.0; u.len()];
         system.stiffness.mul(&u, &mut internal);
         elastic.add(&u, f, &contact, &internal, &system.stiffness.diagonal());
@@ -173,13 +180,17 @@ fn balance(
             std::array::from_fn(|k| resultants.iter().map(|part| pick(part)[k]).sum());
         norm(&sum)
     };
-    let magnitude = scale(
-        parts
-            .iter()
-            .flat_map(|part| part.chunks_exact(body.mesh.dimension()))
+    let nodes = |part: &[f64]| {
+        part.chunks_exact(body.mesh.dimension())
             .map(norm)
-            .sum(),
-    );
+            .sum::<f64>()
+    };
+    let forces: f64 = parts.iter().map(|part| nodes(part)).sum();
+    let mut rigid = system.stiffness.diagonal();
+    let u = system.dofs.restrict(&candidate.displacements[index]);
+    rigid.iter_mut().zip(&u).for_each(|(k, u)| *k *= u);
+    let rounding = ROUNDING_OF_FORCES * nodes(&system.dofs.expand(&rigid));
+    let magnitude = scale(forces.max(rounding));
     Ok(BodyBalance {
         name: body.name.clone(),
         force: total(|part| part.force) / magnitude,

@@ -123,7 +123,9 @@ pub fn dual_problem(
     let groups = groups_of_neighbours(model.dimension(), assembled);
     let bodies = assembled.elastic();
     let layout = &assembled.layout;
-    Ok(elastic::dual_problem(&bodies, factored, layout, &slidings, groups, engine)?)
+    Ok(elastic::dual_problem(
+        &bodies, factored, layout, &slidings, groups, engine,
+    )?)
 }
 
 /// The unknowns of neighbouring pairs, contact by contact: the patches of the local model of A.

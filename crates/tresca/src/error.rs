@@ -35,7 +35,9 @@ pub enum ModelError {
         known: Vec<String>,
     },
     /// Bodies of different spaces in one model.
-    #[error("the bodies `{first}` and `{second}` live in different spaces (solid, plane, axisymmetric)")]
+    #[error(
+        "the bodies `{first}` and `{second}` live in different spaces (solid, plane, axisymmetric)"
+    )]
     MixedSpaces {
         /// A body of the one.
         first: String,

@@ -7,6 +7,7 @@
 
 use tresca_fem::dofs::DofMap;
 use tresca_fem::rigid::{self, FreeMotion, Grounding, RigidMotion};
+use tresca_la::vector::dot;
 use tresca_qcqp::operator::Coupling;
 
 use crate::ModelError;
@@ -47,7 +48,9 @@ pub(crate) fn floating(
         let mut relative = vec![0.0; contact.rows()];
         contact.add_product(&u, &mut relative);
         relative.iter().all(|&x| x == 0.0)
-            && !nodes.iter().any(|&node| motion.nodes().binary_search(&node).is_ok())
+            && !nodes
+                .iter()
+                .any(|&node| motion.nodes().binary_search(&node).is_ok())
     });
     let untouched: Vec<String> = untouched.map(ToString::to_string).collect();
     if !untouched.is_empty() {
@@ -71,8 +74,9 @@ pub struct UnresistedMotion {
     pub displacements: Vec<Vec<f64>>,
 }
 
-/// The combination of some motions, one for each part of the body that moves.
-fn combined(motions: &[FreeMotion], amounts: &[f64]) -> Vec<FreeMotion> {
+/// The combination of some motions, one for each part of the body that moves; a rotation counts with the
+/// displacement at the distance `radius`.
+fn combined(motions: &[FreeMotion], amounts: &[f64], radius: f64) -> Vec<FreeMotion> {
     let mut sums: Vec<FreeMotion> = Vec::new();
     for (motion, amount) in motions.iter().zip(amounts) {
         let RigidMotion {
@@ -96,7 +100,21 @@ fn combined(motions: &[FreeMotion], amounts: &[f64]) -> Vec<FreeMotion> {
             }
         }
     }
+    // A translation with rounding in its rotation is a translation, and the other way round.
+    for FreeMotion { motion, .. } in &mut sums {
+        let turn = radius * length(motion.rotation);
+        let shift = length(motion.translation);
+        if turn < VISIBLE * shift {
+            motion.rotation = [0.0; 3];
+        } else if shift < VISIBLE * turn {
+            motion.translation = [0.0; 3];
+        }
+    }
     sums
+}
+
+fn length(vector: [f64; 3]) -> f64 {
+    dot(&vector, &vector).sqrt()
 }
 
 /// Amounts below this, relative to the largest, are rounding in a motion.
@@ -104,7 +122,8 @@ const VISIBLE: f64 = 1e-3;
 
 /// Puts the combination `v` of all rigid motions in words.
 pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> UnresistedMotion {
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, x| a.max(x.abs()));
+    let largest =
+        |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, x| a.max(x.abs()));
     let mut free: Vec<Vec<f64>> = assembled
         .bodies
         .iter()
@@ -112,8 +131,7 @@ pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> Unr
         .collect();
     add_motions(&assembled.elastic(), v, &mut free);
     let bodies = assembled.bodies.iter().zip(&free);
-    let mut displacements: Vec<Vec<f64>> =
-        bodies.map(|(body, u)| body.dofs.expand(u)).collect();
+    let mut displacements: Vec<Vec<f64>> = bodies.map(|(body, u)| body.dofs.expand(u)).collect();
     let size = largest(&mut displacements.iter().flatten().copied());
     displacements
         .iter_mut()
@@ -128,7 +146,8 @@ pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> Unr
         };
         let own = &v[first..first + floating.motions.len()];
         first += own.len();
-        for motion in combined(&floating.motions, own) {
+        let radius = 0.5 * body.mesh.bounding_box().diagonal();
+        for motion in combined(&floating.motions, own, radius) {
             let moves = largest(&mut motion.displacement(&body.mesh).into_iter());
             if moves > VISIBLE * size {
                 names.push((body.name.clone(), motion.to_string()));
@@ -144,9 +163,13 @@ pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> Unr
         let pairs = first..first + data.pairs.len();
         first = pairs.end;
         let opens = pairs.clone().any(|i| relative[i] < -VISIBLE);
-        let slides = pairs
-            .clone()
-            .any(|i| assembled.layout.tangential(&relative[..], i).into_iter().any(|s| s.abs() > VISIBLE));
+        let slides = pairs.clone().any(|i| {
+            assembled
+                .layout
+                .tangential(&relative[..], i)
+                .into_iter()
+                .any(|s| s.abs() > VISIBLE)
+        });
         debug_assert!(pairs.end <= m);
         if opens || slides {
             let name = format!(

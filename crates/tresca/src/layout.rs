@@ -5,7 +5,7 @@
 //! A direction in which supports let a pair not move carries no force.
 
 use tresca_contact::{Mobility, Opening, Sliding};
-use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line};
+use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line, Point};
 use tresca_qcqp::{ActiveSet, CoulombBound, ProductSet, QcqpError};
 
 /// How the tangential unknowns of a pair are constrained.
@@ -123,7 +123,13 @@ impl Layout {
     /// The tangential unknowns of a pair as two components, zero where there is no such tangent.
     pub fn tangential(&self, values: &[f64], pair: usize) -> [f64; 2] {
         let first = self.pairs.len() + self.tangents * pair;
-        std::array::from_fn(|t| if t < self.tangents { values[first + t] } else { 0.0 })
+        std::array::from_fn(|t| {
+            if t < self.tangents {
+                values[first + t]
+            } else {
+                0.0
+            }
+        })
     }
 
     /// Number of tangents of a pair: 1 in the plane, 2 in space, 0 without any.
@@ -166,28 +172,33 @@ impl Layout {
                 Opening::Never => BlockSet::Line(Line),
             },
         });
-        let tangentials = self.pairs.iter().zip(slidings).enumerate().flat_map(
-            |(i, (pair, sliding))| {
-                let first = m + self.tangents * i;
-                let bounds = sliding.bounds(0.0);
-                match (pair.shape, bounds) {
-                    (Shape::Disc, Some([a, b])) => vec![Block {
-                        start: first,
-                        set: BlockSet::Disc(Disc { bound: a.max(b) }),
-                    }],
-                    _ => (0..self.tangents)
-                        .map(|t| Block {
-                            start: first + t,
-                            set: match bounds {
-                                _ if !pair.mobility.tangents[t] => POINT,
-                                None => BlockSet::Line(Line),
-                                Some(bounds) => BlockSet::Interval(Interval { bound: bounds[t] }),
-                            },
-                        })
-                        .collect(),
-                }
-            },
-        );
+        let tangentials =
+            self.pairs
+                .iter()
+                .zip(slidings)
+                .enumerate()
+                .flat_map(|(i, (pair, sliding))| {
+                    let first = m + self.tangents * i;
+                    let bounds = sliding.bounds(0.0);
+                    match (pair.shape, bounds) {
+                        (Shape::Disc, Some([a, b])) => vec![Block {
+                            start: first,
+                            set: BlockSet::Disc(Disc { bound: a.max(b) }),
+                        }],
+                        _ => (0..self.tangents)
+                            .map(|t| Block {
+                                start: first + t,
+                                set: match bounds {
+                                    _ if !pair.mobility.tangents[t] => POINT,
+                                    None => BlockSet::Line(Line),
+                                    Some(bounds) => {
+                                        BlockSet::Interval(Interval { bound: bounds[t] })
+                                    }
+                                },
+                            })
+                            .collect(),
+                    }
+                });
         ProductSet::new(self.unknowns(), normals.chain(tangentials).collect())
     }
 
@@ -204,9 +215,17 @@ impl Layout {
             };
             let largest = coefficients[0].max(coefficients[1]);
             let mut push = |block: usize, coefficient: f64| {
-                let share = if largest > 0.0 { coefficient / largest } else { 1.0 };
+                let share = if largest > 0.0 {
+                    coefficient / largest
+                } else {
+                    1.0
+                };
                 // 0 · ∞ is no number: without a limit every axis is without one.
-                let limit = if limit.is_finite() { share * limit } else { limit };
+                let limit = if limit.is_finite() {
+                    share * limit
+                } else {
+                    limit
+                };
                 bounds.push(CoulombBound {
                     block,
                     normal,
@@ -243,7 +262,7 @@ impl Layout {
 }
 
 /// An unknown that is always zero.
-const POINT: BlockSet = BlockSet::Interval(Interval { bound: 0.0 });
+const POINT: BlockSet = BlockSet::Point(Point);
 
 /// The proportions of the ellipse, `None` where nothing slides.
 fn semi_axes(sliding: &Sliding) -> Option<[f64; 2]> {

@@ -37,6 +37,7 @@ pub mod dual;
 mod elastic;
 mod ellipse;
 mod error;
+pub mod fclib;
 mod floating;
 mod layout;
 pub mod linear;
@@ -53,10 +54,10 @@ pub mod two_bricks;
 
 pub use certificate::Certificate;
 pub use error::ModelError;
-pub use model::{Model, SurfaceRef};
 pub use floating::{Floating, UnresistedMotion};
 pub use layout::Layout;
 pub use load_step::Acting;
+pub use model::{Model, SurfaceRef};
 pub use outcome::{Outcome, PairState, StepOutcome, Times};
 pub use progress::{Progress, Silent, Stage};
 pub use solve::{Description, Prepared, Run, prepare, solve};
@@ -66,7 +67,8 @@ pub use two_bricks::two_bricks;
 pub use tresca_contact::{Field, Frame, FrictionLaw, Sliding};
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_qcqp::{
-    CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts, Status,
+    CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts,
+    Status,
 };
 
 /// Version of the library, written into every result file.

@@ -34,13 +34,8 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
         let load = body_load(model, index, step)?;
         let values = |number: usize| amount_of_support(model, step, number);
         let prescribed = supports(model, index, values)?.values();
-        let reduced = assembly::reduced_load(
-            &body.mesh,
-            &body.material,
-            &system.dofs,
-            &load,
-            &prescribed,
-        );
+        let reduced =
+            assembly::reduced_load(&body.mesh, &body.material, &system.dofs, &load, &prescribed);
         free_loads.push(reduced.map_err(|source| ModelError::Body {
             body: body.name.clone(),
             source,
@@ -55,7 +50,9 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
         free_loads,
         slidings: slidings
             .flat_map(|(data, &amount)| {
-                data.pairs.iter().map(move |pair| sliding(pair.sliding, pair.area, amount))
+                data.pairs
+                    .iter()
+                    .map(move |pair| sliding(pair.sliding, pair.area, amount))
             })
             .collect(),
     })

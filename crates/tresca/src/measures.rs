@@ -9,7 +9,7 @@ use crate::layout::Layout;
 
 /// A body that has moved without strain has forces and an energy all the same, from rounding in Ku. What
 /// is below these parts of diag(K)u, and of uᵀdiag(K)u, is no figure to compare with.
-const ROUNDING_OF_FORCES: f64 = 1e-6;
+pub(crate) const ROUNDING_OF_FORCES: f64 = 1e-6;
 const ROUNDING_OF_ENERGY: f64 = 1e-10;
 
 /// What the bodies say: energies and the residual of equilibrium.
@@ -99,6 +99,7 @@ pub(crate) struct Interface {
     complementarity: f64,
     cone: f64,
     slip_law: f64,
+    negative_work: f64,
     friction_work: f64,
     /// Σ λν (Nu − d) + Σ λτ·s, signed.
     contact_work: f64,
@@ -149,7 +150,9 @@ impl Interface {
             let ellipse = Ellipse(bounds);
             let work = ellipse.support(slip);
             sum.cone = sum.cone.max(ellipse.excess(force));
-            sum.slip_law += (work - dot(&force, &slip)).abs();
+            let dissipated = dot(&force, &slip);
+            sum.slip_law += (work - dissipated).abs();
+            sum.negative_work += f64::max(-dissipated, 0.0);
             sum.friction_work += work;
             sum.largest_bound = sum.largest_bound.max(ellipse.largest());
         }
@@ -189,6 +192,7 @@ pub(crate) fn certificate(
         complementarity: interface.complementarity / energy,
         cone_violation: interface.cone / scale(cone_scale),
         slip_law: interface.slip_law / energy,
+        negative_dissipation: interface.negative_work / energy,
         duality_gap: (primal - dual) / energy,
         bodies: Vec::new(),
     }

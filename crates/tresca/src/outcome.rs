@@ -191,7 +191,9 @@ pub(crate) fn pair_states(
         let base = first;
         first += data.pairs.len();
         let pairs = data.pairs.iter().enumerate();
-        pairs.map(|(offset, pair)| state(base + offset, pair)).collect()
+        pairs
+            .map(|(offset, pair)| state(base + offset, pair))
+            .collect()
     };
     assembled.contacts.iter().map(contact).collect()
 }

@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use tresca_fem::mesh::Mesh;
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
+use tresca_io::case::LAWS;
 use tresca_io::history::History;
 use tresca_io::pvd::{self, Part};
 use tresca_io::results::{BodyFields, ContactFields};
-use tresca_io::case::LAWS;
 use tresca_io::vtu::{CellShape, Cells, Fact, Field, Values};
 use tresca_io::{WriteError, summary};
 
@@ -77,12 +77,13 @@ impl Destination {
                 _ => format!("_{:04}", step.number),
             };
             let facts = facts(model, outcome, step);
-            let mut stage = |part: &str, write: &dyn Fn(&mut dyn Write) -> Result<(), WriteError>| {
-                let file = format!("{part}{suffix}.vtu");
-                files.stage(&file, |out| write(out))?;
-                parts.push((part.to_owned(), file, step.time));
-                Ok::<(), WriteError>(())
-            };
+            let mut stage =
+                |part: &str, write: &dyn Fn(&mut dyn Write) -> Result<(), WriteError>| {
+                    let file = format!("{part}{suffix}.vtu");
+                    files.stage(&file, |out| write(out))?;
+                    parts.push((part.to_owned(), file, step.time));
+                    Ok::<(), WriteError>(())
+                };
             let stresses: Vec<Vec<[f64; 6]>> = model
                 .bodies()
                 .par_iter()
@@ -94,7 +95,9 @@ impl Destination {
                     write_body(body, index, step, stress, facts.clone(), out)
                 })?;
             }
-            stage(CONTACT, &|out| write_contact(model, step, facts.clone(), out))?;
+            stage(CONTACT, &|out| {
+                write_contact(model, step, facts.clone(), out)
+            })?;
         }
         files.stage("history.csv", |out| history(outcome)?.write(out))?;
         let parts: Vec<_> = parts
@@ -111,6 +114,24 @@ impl Destination {
         files.commit()?;
         Ok(result)
     }
+}
+
+/// Writes a single file, whole or not at all, replacing an earlier one.
+///
+/// # Errors
+/// Those of `write` and of the file system.
+pub fn write_file(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
+) -> Result<(), WriteError> {
+    let directory = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let mut files = OutputSet::new(directory.unwrap_or(Path::new(".")))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    files.stage(&name, write)?;
+    files.commit()?;
+    Ok(())
 }
 
 /// What every result file says about its origin.
@@ -143,7 +164,12 @@ fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, F
 }
 
 fn history(outcome: &Outcome) -> Result<History, WriteError> {
-    history_table(outcome.steps.iter().map(|step| (step.number, &step.solution.records[..])))
+    history_table(
+        outcome
+            .steps
+            .iter()
+            .map(|step| (step.number, &step.solution.records[..])),
+    )
 }
 
 /// The table of `history.csv`: the records of load steps, with their numbers.
@@ -237,7 +263,11 @@ fn write_contact(
         let end = index.len() + pairs.len();
         index.resize(end, i32::try_from(number).unwrap_or(i32::MAX));
         let law = LAWS.iter().position(|law| *law == contact.friction.name());
-        laws.resize(end, law.and_then(|law| u8::try_from(law).ok()).unwrap_or(u8::MAX));
+        laws.resize(
+            end,
+            law.and_then(|law| u8::try_from(law).ok())
+                .unwrap_or(u8::MAX),
+        );
         let mesh = &model.bodies()[contact.slave.body].mesh;
         let point_of_node = points_of_nodes(mesh, pairs, first);
         for &face in model.faces(&contact.slave) {

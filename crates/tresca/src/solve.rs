@@ -101,17 +101,27 @@ pub fn prepare(
     }
     let begin = Instant::now();
     let many = model.steps().len() > 1
-        || model.contacts().iter().any(|contact| contact.friction.is_coulomb());
+        || model
+            .contacts()
+            .iter()
+            .any(|contact| contact.friction.is_coulomb());
     let engine = choose_engine(settings.engine, assembled.layout.unknowns(), many);
     let contact_last = engine.engine != tresca_qcqp::Engine::Factored;
     let factored = factor(model, &assembled, contact_last)?;
     let dual = dual_problem(model, &assembled, &factored, engine.engine)?;
-    let floating = assembled.bodies.iter().filter_map(|body| body.floating.as_ref());
+    let floating = assembled
+        .bodies
+        .iter()
+        .filter_map(|body| body.floating.as_ref());
     let description = Description {
         dofs: assembled.dof_count(),
         bodies: assembled.bodies.len(),
         pairs: assembled.pair_count(),
-        held_pairs: assembled.contacts.iter().map(|contact| contact.held_pairs).sum(),
+        held_pairs: assembled
+            .contacts
+            .iter()
+            .map(|contact| contact.held_pairs)
+            .sum(),
         rigid_motions: floating.map(|floating| floating.motions.len()).sum(),
         engine,
         factorization: factored.work,
@@ -161,7 +171,9 @@ impl Solved {
                 && old != new
             {
                 let first = m + tangents * i;
-                mu[first..first + tangents].iter_mut().for_each(|x| *x *= new / old);
+                mu[first..first + tangents]
+                    .iter_mut()
+                    .for_each(|x| *x *= new / old);
             }
         }
         mu
@@ -210,7 +222,14 @@ impl Prepared {
                 }
                 break;
             }
-            let done = self.step(model, settings, step, &mut state, &mut outcome.times, progress)?;
+            let done = self.step(
+                model,
+                settings,
+                step,
+                &mut state,
+                &mut outcome.times,
+                progress,
+            )?;
             let converged = done.converged();
             outcome.steps.push(StepOutcome {
                 number: index + 1,
@@ -244,7 +263,9 @@ impl Prepared {
             let mu = solved.start(&self.assembled.layout, &acting.slidings);
             (mu, &solved.multiplier)
         });
-        let start = before.as_ref().map(|(lambda, multiplier)| Start { lambda, multiplier });
+        let start = before
+            .as_ref()
+            .map(|(lambda, multiplier)| Start { lambda, multiplier });
         let solution = tresca_qcqp::solve(&mut self.dual, settings, start, &mut observer)?;
         times.solve += begin.elapsed().as_secs_f64();
 
@@ -264,9 +285,13 @@ impl Prepared {
         let without = vec![0.0; layout.unknowns()];
         let bodies = assembled.elastic();
         let free = displacements(&bodies, &self.factored, &acting.free_loads, &without);
-        let energy = acting.free_loads.iter().zip(&free).map(|(f, u)| dot(f, u)).sum();
-        let mut b =
-            assembled.relative(&full_displacements(assembled, &free, &acting.prescribed));
+        let energy = acting
+            .free_loads
+            .iter()
+            .zip(&free)
+            .map(|(f, u)| dot(f, u))
+            .sum();
+        let mut b = assembled.relative(&full_displacements(assembled, &free, &acting.prescribed));
         for (b, pair) in b.iter_mut().zip(assembled.pairs()) {
             *b -= pair.gap;
         }
@@ -295,7 +320,11 @@ impl Prepared {
         let no_equilibrium = solution.status == Status::NoEquilibrium;
         let free = if no_equilibrium {
             // There is no displacement; the supports alone are where they should be.
-            assembled.bodies.iter().map(|body| vec![0.0; body.dofs.free_len()]).collect()
+            assembled
+                .bodies
+                .iter()
+                .map(|body| vec![0.0; body.dofs.free_len()])
+                .collect()
         } else {
             let (loads, mu) = (&acting.free_loads, &solution.lambda);
             let bodies = assembled.elastic();
@@ -306,8 +335,14 @@ impl Prepared {
         let displacements = full_displacements(assembled, &free, &acting.prescribed);
         let lambda = assembled.layout.forces(&solution.lambda);
         let relative = assembled.relative(&displacements);
-        let contacts =
-            pair_states(assembled, acting, &solution, &lambda, &relative, &state.relative);
+        let contacts = pair_states(
+            assembled,
+            acting,
+            &solution,
+            &lambda,
+            &relative,
+            &state.relative,
+        );
         let certificate = certify(
             model,
             assembled,

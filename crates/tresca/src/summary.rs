@@ -294,7 +294,11 @@ fn motion(motion: &UnresistedMotion) -> MotionSummary {
     let bodies = motion.bodies.iter().cloned();
     let contacts = motion.contacts.iter().cloned();
     MotionSummary {
-        bodies: bodies.map(|(body, motion)| BodyMotion { body, motion }).collect(),
-        contacts: contacts.map(|(contact, does)| ContactMotion { contact, does }).collect(),
+        bodies: bodies
+            .map(|(body, motion)| BodyMotion { body, motion })
+            .collect(),
+        contacts: contacts
+            .map(|(contact, does)| ContactMotion { contact, does })
+            .collect(),
     }
 }

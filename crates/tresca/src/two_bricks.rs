@@ -53,11 +53,7 @@ pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
 ///
 /// # Errors
 /// When s < 2, or the law has impossible figures.
-pub fn two_bricks_with(
-    s: usize,
-    units: Units,
-    friction: FrictionLaw,
-) -> Result<Model, ModelError> {
+pub fn two_bricks_with(s: usize, units: Units, friction: FrictionLaw) -> Result<Model, ModelError> {
     let surface = |body, faces| SurfaceRef { body, faces };
     let mut model = Model::new(format!(
         "Two bricks with {} friction, s = {s}",

@@ -71,10 +71,7 @@ material = { young = 5.0e4, poisson = 0.3 }
         message.contains("`satellite` is not held") && message.contains("6 rigid motion"),
         "{message}"
     );
-    assert_eq!(
-        text.lines().nth(line - 1).unwrap(),
-        r#"name = "satellite""#
-    );
+    assert_eq!(text.lines().nth(line - 1).unwrap(), r#"name = "satellite""#);
 }
 
 #[test]

@@ -34,10 +34,19 @@ fn outcome(model: &tresca::Model, prepared: &mut Prepared, settings: &Settings) 
 fn assert_check_values(outcome: &Outcome, relative: f64) {
     let name = format!(
         "{} {:?}",
-        outcome.last().solution.method, outcome.description.engine.engine
+        outcome.last().solution.method,
+        outcome.description.engine.engine
     );
-    assert!(outcome.converged(), "{name}: {}", outcome.last().solution.status);
-    let summary = Summary::new(&two_bricks(16, Units::METRE_MEGAPASCAL).unwrap(), outcome, 0.0);
+    assert!(
+        outcome.converged(),
+        "{name}: {}",
+        outcome.last().solution.status
+    );
+    let summary = Summary::new(
+        &two_bricks(16, Units::METRE_MEGAPASCAL).unwrap(),
+        outcome,
+        0.0,
+    );
     let close = |found: f64, expected: f64, relative: f64| {
         assert!(
             ((found - expected) / expected).abs() < relative,
@@ -45,9 +54,17 @@ fn assert_check_values(outcome: &Outcome, relative: f64) {
         );
     };
     close(summary.last().dual_objective, OBJECTIVE, relative);
-    close(summary.last().contact.normal_force_sum, NORMAL_FORCE_SUM, relative);
+    close(
+        summary.last().contact.normal_force_sum,
+        NORMAL_FORCE_SUM,
+        relative,
+    );
     // Six digits are known of this one.
-    close(summary.last().contact.max_slip_component, LARGEST_SLIP, 3e-6);
+    close(
+        summary.last().contact.max_slip_component,
+        LARGEST_SLIP,
+        3e-6,
+    );
     let contact = &summary.last().contact;
     assert_eq!(
         (contact.pairs, contact.closed, contact.stick),
@@ -55,7 +72,10 @@ fn assert_check_values(outcome: &Outcome, relative: f64) {
         "{name}"
     );
     assert!(
-        outcome.last().pairs().all(|pair| !(pair.closed && pair.stick)),
+        outcome
+            .last()
+            .pairs()
+            .all(|pair| !(pair.closed && pair.stick)),
         "{name}: every closed pair slips"
     );
     assert!(

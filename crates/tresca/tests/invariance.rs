@@ -4,8 +4,8 @@ use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
 use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{
-    CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef, solve,
-    two_bricks,
+    CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef,
+    solve, two_bricks,
 };
 
 const S: usize = 9;
@@ -97,7 +97,10 @@ fn coulomb_counts_do_not_depend_on_units() {
         let reference = solve_in(Units::METRE_MEGAPASCAL);
         for units in [Units::MILLIMETRE_MEGAPASCAL, Units::SI] {
             let solution = solve_in(units);
-            assert_eq!(solution.outer_iterations, reference.outer_iterations, "{coulomb}");
+            assert_eq!(
+                solution.outer_iterations, reference.outer_iterations,
+                "{coulomb}"
+            );
             assert!(
                 solution.iterations.abs_diff(reference.iterations) <= 1
                     && solution.n_a.abs_diff(reference.n_a) <= 2,
@@ -254,7 +257,14 @@ fn one_thread_and_two_give_the_same_counts() {
         pool.install(|| run(&two_bricks(S, Units::METRE_MEGAPASCAL).unwrap()))
     };
     let (one, two) = (with_threads(1), with_threads(2));
-    assert_eq!(one.last().solution.iterations, two.last().solution.iterations);
+    assert_eq!(
+        one.last().solution.iterations,
+        two.last().solution.iterations
+    );
     assert_eq!(one.last().solution.n_a, two.last().solution.n_a);
-    assert_close(&one.last().solution.lambda, &two.last().solution.lambda, 1e-10);
+    assert_close(
+        &one.last().solution.lambda,
+        &two.last().solution.lambda,
+        1e-10,
+    );
 }

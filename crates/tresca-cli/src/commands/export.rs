@@ -4,9 +4,13 @@ use miette::{Report, miette};
 use tresca::algebraic::{Assembly, ExportError};
 use tresca::case::Case;
 
+use super::fclib;
 use crate::args::ExportArguments;
 
 pub fn run(arguments: &ExportArguments) -> miette::Result<u8> {
+    if fclib::is_problem(&arguments.to) {
+        return fclib::export(arguments);
+    }
     let case = Case::load(&arguments.case)?;
     let steps = case.model.steps();
     let step = match (arguments.step, steps) {
@@ -20,7 +24,10 @@ pub fn run(arguments: &ExportArguments) -> miette::Result<u8> {
             ));
         }
         (Some(number), steps) => steps.get(number.get() - 1).cloned().ok_or_else(|| {
-            miette!("there is no load step {number}: the case has {}", steps.len())
+            miette!(
+                "there is no load step {number}: the case has {}",
+                steps.len()
+            )
         })?,
     };
     let assembly =

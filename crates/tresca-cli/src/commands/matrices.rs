@@ -38,7 +38,10 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         println!("tresca {} · {}", tresca::VERSION, path.display());
     }
     if arguments.verbose {
-        print!("settings:\n{}", toml::to_string(&settings).into_diagnostic()?);
+        print!(
+            "settings:\n{}",
+            toml::to_string(&settings).into_diagnostic()?
+        );
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
     let solution = algebraic::solve(&problem, &settings, &mut monitor)
@@ -49,5 +52,9 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     if !arguments.quiet {
         matrices::print(&summary, &directory);
     }
-    Ok(if solution.converged() { crate::SUCCESS } else { crate::NOT_CONVERGED })
+    Ok(if solution.converged() {
+        crate::SUCCESS
+    } else {
+        crate::NOT_CONVERGED
+    })
 }

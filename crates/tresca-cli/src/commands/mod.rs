@@ -2,6 +2,7 @@
 
 pub mod bench;
 pub mod export;
+pub mod fclib;
 pub mod matrices;
 pub mod options;
 pub mod solve;

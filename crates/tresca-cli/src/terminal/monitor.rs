@@ -107,7 +107,7 @@ impl Progress for Monitor {
         );
         if description.held_pairs > 0 {
             println!(
-                "{} pairs are left out: both of their nodes are held",
+                "{} pairs are left out: nothing lets them move",
                 grouped(description.held_pairs)
             );
         }

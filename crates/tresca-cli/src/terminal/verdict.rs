@@ -109,9 +109,17 @@ fn conclusion(summary: &Summary) {
 /// One line per load step.
 fn steps(summary: &Summary) {
     println!(
-        "{:>5} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>14} {:>12}  {}",
-        "step", "time", "iter", "n_A", "open", "closed", "stick", "slip", "Σ normal force", "dissipation",
-        "name"
+        "{:>5} {:>10} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>14} {:>12}  name",
+        "step",
+        "time",
+        "iter",
+        "n_A",
+        "open",
+        "closed",
+        "stick",
+        "slip",
+        "Σ normal force",
+        "dissipation"
     );
     for step in &summary.steps {
         let contact = &step.contact;

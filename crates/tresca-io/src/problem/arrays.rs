@@ -36,7 +36,11 @@ impl Dense {
         match &self.shape[..] {
             [] => "a single number".to_owned(),
             [length] => format!("{length} numbers"),
-            extents => extents.iter().map(usize::to_string).collect::<Vec<_>>().join(" × "),
+            extents => extents
+                .iter()
+                .map(usize::to_string)
+                .collect::<Vec<_>>()
+                .join(" × "),
         }
     }
 

@@ -8,20 +8,41 @@ use crate::names::nearest;
 /// Every key, with what it means. Blocks of K may also be called `K0`, `K1`, ….
 pub const KEYS: &[(&str, &str)] = &[
     ("K", "stiffness, n × n; or its diagonal blocks K0, K1, …"),
-    ("kernel", "vectors that span the kernel of K, n × r; found without it"),
+    (
+        "kernel",
+        "vectors that span the kernel of K, n × r; found without it",
+    ),
     ("N", "approach along the normals, m × n"),
-    ("T", "slip, m × n in the plane, 2m × n in space; without it no friction"),
-    ("B", "N and T in one, N first; then `pairs` says where T begins"),
+    (
+        "T",
+        "slip, m × n in the plane, 2m × n in space; without it no friction",
+    ),
+    (
+        "B",
+        "N and T in one, N first; then `pairs` says where T begins",
+    ),
     ("pairs", "m; only with B"),
     ("f", "load, n"),
     ("gap", "gaps, m; 0 without it"),
     ("law", "friction law, a word or one per pair"),
     ("bounds", "slip bounds (forces): a number, m, or m × 2"),
-    ("coefficients", "Coulomb coefficients: a number, m, or m × 2"),
-    ("limits", "upper limits of Coulomb's slip bounds (forces): a number or m"),
-    ("previous_slip", "slip that friction has to be counted from, rows of T"),
+    (
+        "coefficients",
+        "Coulomb coefficients: a number, m, or m × 2",
+    ),
+    (
+        "limits",
+        "upper limits of Coulomb's slip bounds (forces): a number or m",
+    ),
+    (
+        "previous_slip",
+        "slip that friction has to be counted from, rows of T",
+    ),
     ("start_normal", "normal forces to start from, m"),
-    ("start_tangential", "friction forces to start from, rows of T"),
+    (
+        "start_tangential",
+        "friction forces to start from, rows of T",
+    ),
     ("points", "where the pairs are, m × 3"),
 ];
 
@@ -81,7 +102,8 @@ pub(super) trait Source {
 pub(super) fn collect(source: &mut dyn Source) -> Result<Content, ProblemError> {
     let keys = source.keys();
     let path = source.path().to_owned();
-    let known = |key: &str| KEYS.iter().any(|(known, _)| *known == key) || block_number(key).is_some();
+    let known =
+        |key: &str| KEYS.iter().any(|(known, _)| *known == key) || block_number(key).is_some();
     if let Some(key) = keys.iter().find(|key| !known(key)) {
         return Err(ProblemError::Unknown {
             path,
@@ -106,15 +128,27 @@ pub(super) fn collect(source: &mut dyn Source) -> Result<Content, ProblemError> 
     let stiffness = match (has("K"), blocks) {
         (true, 0) => vec![source.sparse("K")?],
         (true, _) => {
-            return Err(wrong("K", "either K or the blocks K0, K1, …", "both".to_owned()));
+            return Err(wrong(
+                "K",
+                "either K or the blocks K0, K1, …",
+                "both".to_owned(),
+            ));
         }
-        (false, 0) => return Err(missing("K", "the stiffness matrix (or its blocks K0, K1, …)")),
+        (false, 0) => {
+            return Err(missing(
+                "K",
+                "the stiffness matrix (or its blocks K0, K1, …)",
+            ));
+        }
         (false, count) => {
             let mut all = Vec::with_capacity(count);
             for block in 0..count {
                 let key = format!("K{block}");
                 if !has(&key) {
-                    return Err(missing(&key, "the blocks of K are numbered without gaps from 0"));
+                    return Err(missing(
+                        &key,
+                        "the blocks of K are numbered without gaps from 0",
+                    ));
                 }
                 all.push(source.sparse(&key)?);
             }
@@ -136,9 +170,16 @@ pub(super) fn collect(source: &mut dyn Source) -> Result<Content, ProblemError> 
         }
     } else {
         if !has("N") {
-            return Err(missing("N", "the rows that give the approach along the normals (or B)"));
+            return Err(missing(
+                "N",
+                "the rows that give the approach along the normals (or B)",
+            ));
         }
-        let tangential = if has("T") { Some(source.sparse("T")?) } else { None };
+        let tangential = if has("T") {
+            Some(source.sparse("T")?)
+        } else {
+            None
+        };
         (source.sparse("N")?, tangential)
     };
     if !has("f") {
@@ -158,14 +199,24 @@ pub(super) fn collect(source: &mut dyn Source) -> Result<Content, ProblemError> 
     let previous_slip = vector("previous_slip")?;
     let start_normal = vector("start_normal")?;
     let start_tangential = vector("start_tangential")?;
-    let mut dense = |key: &str| if has(key) { source.dense(key).map(Some) } else { Ok(None) };
+    let mut dense = |key: &str| {
+        if has(key) {
+            source.dense(key).map(Some)
+        } else {
+            Ok(None)
+        }
+    };
     Ok(Content {
         kernel: dense("kernel")?,
         bounds: dense("bounds")?,
         coefficients: dense("coefficients")?,
         limits: dense("limits")?,
         points: dense("points")?,
-        law: if has("law") { Some(source.words("law")?) } else { None },
+        law: if has("law") {
+            Some(source.words("law")?)
+        } else {
+            None
+        },
         stiffness,
         normal,
         tangential,
@@ -219,9 +270,11 @@ impl Content {
     pub(super) fn parts(&self) -> Parts<'_> {
         let mut sparse = match &self.stiffness[..] {
             [k] => vec![("K".to_owned(), k)],
-            blocks => {
-                blocks.iter().enumerate().map(|(block, k)| (format!("K{block}"), k)).collect()
-            }
+            blocks => blocks
+                .iter()
+                .enumerate()
+                .map(|(block, k)| (format!("K{block}"), k))
+                .collect(),
         };
         sparse.push(("N".to_owned(), &self.normal));
         sparse.extend(self.tangential.iter().map(|t| ("T".to_owned(), t)));
@@ -235,12 +288,18 @@ impl Content {
             ("limits", self.limits.clone()),
             ("previous_slip", self.previous_slip.as_ref().map(vector)),
             ("start_normal", self.start_normal.as_ref().map(vector)),
-            ("start_tangential", self.start_tangential.as_ref().map(vector)),
+            (
+                "start_tangential",
+                self.start_tangential.as_ref().map(vector),
+            ),
             ("points", self.points.clone()),
         ];
         Parts {
             sparse,
-            dense: optional.into_iter().filter_map(|(key, array)| Some((key, array?))).collect(),
+            dense: optional
+                .into_iter()
+                .filter_map(|(key, array)| Some((key, array?)))
+                .collect(),
             law: self.law.as_ref(),
         }
     }

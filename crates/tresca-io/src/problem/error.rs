@@ -41,7 +41,10 @@ pub enum ProblemError {
     },
     /// Something that means nothing.
     #[error("`{}` has `{key}`, which means nothing here{}", path.display(), nearest_hint(nearest.as_deref()))]
-    #[diagnostic(code(problem::unknown), help("docs/problem-files.md lists the keys; what stands under `info/` is ignored"))]
+    #[diagnostic(
+        code(problem::unknown),
+        help("docs/problem-files.md lists the keys; what stands under `info/` is ignored")
+    )]
     Unknown {
         /// The file or folder.
         path: PathBuf,
@@ -52,7 +55,10 @@ pub enum ProblemError {
     },
     /// Something of another kind or size than expected.
     #[error("`{key}` in `{}`: expected {expected}, found {found}", path.display())]
-    #[diagnostic(code(problem::wrong), help("docs/problem-files.md says what belongs there"))]
+    #[diagnostic(
+        code(problem::wrong),
+        help("docs/problem-files.md says what belongs there")
+    )]
     Wrong {
         /// The file.
         path: PathBuf,

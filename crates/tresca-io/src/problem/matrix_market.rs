@@ -42,7 +42,10 @@ impl Folder {
             text.parse().map_err(|error: toml::de::Error| {
                 let offset = error.span().map_or(0, |span| span.start);
                 ProblemError::Line {
-                    line: 1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|b| **b == b'\n').count(),
+                    line: 1 + text.as_bytes()[..offset.min(text.len())]
+                        .iter()
+                        .filter(|b| **b == b'\n')
+                        .count(),
                     path: file.clone(),
                     expected: "TOML".to_owned(),
                     found: error.message().to_owned(),
@@ -106,12 +109,16 @@ impl Source for Folder {
     fn dense(&mut self, key: &str) -> Result<Dense, ProblemError> {
         if let Some(value) = self.table.get(key) {
             let number = |value: &toml::Value| {
-                value.as_float().or_else(|| value.as_integer().map(|integer| integer as f64))
+                value
+                    .as_float()
+                    .or_else(|| value.as_integer().map(|integer| integer as f64))
             };
             let dense = match value {
-                toml::Value::Array(values) => {
-                    values.iter().map(number).collect::<Option<Vec<_>>>().map(Dense::vector)
-                }
+                toml::Value::Array(values) => values
+                    .iter()
+                    .map(number)
+                    .collect::<Option<Vec<_>>>()
+                    .map(Dense::vector),
                 value => number(value).map(|value| Dense {
                     shape: Vec::new(),
                     values: vec![value],
@@ -133,7 +140,11 @@ impl Source for Folder {
                 let mut values = vec![0.0; rows * columns];
                 let entries = sparse.rows.iter().zip(&sparse.columns).zip(&sparse.values);
                 entries.for_each(|((&i, &j), &value)| values[columns * i + j] += value);
-                let shape = if columns == 1 { vec![rows] } else { vec![rows, columns] };
+                let shape = if columns == 1 {
+                    vec![rows]
+                } else {
+                    vec![rows, columns]
+                };
                 Dense { shape, values }
             }
         })
@@ -199,13 +210,21 @@ fn parse(path: &Path, text: &str) -> Result<File, ProblemError> {
         lines: text.lines().enumerate(),
         last: 1,
     };
-    let header = lines.lines.next().map_or("", |(_, line)| line).to_lowercase();
+    let header = lines
+        .lines
+        .next()
+        .map_or("", |(_, line)| line)
+        .to_lowercase();
     let words: Vec<&str> = header.split_whitespace().collect();
     let expected = "`%%MatrixMarket matrix coordinate|array real|integer general|symmetric`";
     let (coordinate, symmetric) = match words[..] {
-        ["%%matrixmarket", "matrix", format @ ("coordinate" | "array"), "real" | "integer" | "double", symmetry @ ("general" | "symmetric")] => {
-            (format == "coordinate", symmetry == "symmetric")
-        }
+        [
+            "%%matrixmarket",
+            "matrix",
+            format @ ("coordinate" | "array"),
+            "real" | "integer" | "double",
+            symmetry @ ("general" | "symmetric"),
+        ] => (format == "coordinate", symmetry == "symmetric"),
         _ => return Err(lines.wrong(expected, &format!("`{header}`"))),
     };
     let file = if coordinate {
@@ -278,7 +297,9 @@ pub fn write_folder(files: &mut OutputSet, content: &Content) -> Result<(), Writ
     for (key, matrix) in &parts.sparse {
         check_finite(key, &matrix.values)?;
         let text = coordinate_text(matrix, key.starts_with('K'));
-        files.stage(&format!("{key}.mtx"), |out| Ok(out.write_all(text.as_bytes())?))?;
+        files.stage(&format!("{key}.mtx"), |out| {
+            Ok(out.write_all(text.as_bytes())?)
+        })?;
     }
     for (key, array) in &parts.dense {
         if *key == "limits" && array.values.iter().all(|value| *value == f64::INFINITY) {
@@ -296,7 +317,9 @@ pub fn write_folder(files: &mut OutputSet, content: &Content) -> Result<(), Writ
             _ => {
                 check_finite(key, &array.values)?;
                 let text = array_text(array);
-                files.stage(&format!("{key}.mtx"), |out| Ok(out.write_all(text.as_bytes())?))?;
+                files.stage(&format!("{key}.mtx"), |out| {
+                    Ok(out.write_all(text.as_bytes())?)
+                })?;
             }
         }
     }
@@ -307,7 +330,10 @@ pub fn write_folder(files: &mut OutputSet, content: &Content) -> Result<(), Writ
         };
         table.insert("law".to_owned(), value);
     }
-    files.stage(TABLE, |out| Ok(out.write_all(table.to_string().as_bytes())?))
+    files.stage(
+        TABLE,
+        |out| Ok(out.write_all(table.to_string().as_bytes())?),
+    )
 }
 
 fn check_finite(key: &str, values: &[f64]) -> Result<(), WriteError> {

@@ -35,12 +35,11 @@ enum Found {
 impl Reader {
     pub fn open(path: &Path) -> Result<Self, ProblemError> {
         let file = File::open(path).map_err(ProblemError::io(path))?;
-        let archive = ZipArchive::new(BufReader::new(file)).map_err(|error| {
-            ProblemError::Archive {
+        let archive =
+            ZipArchive::new(BufReader::new(file)).map_err(|error| ProblemError::Archive {
                 path: path.to_owned(),
                 reason: error.to_string(),
-            }
-        })?;
+            })?;
         let names = (0..archive.len()).filter_map(|index| {
             let name = archive.name_for_index(index)?.ok()?;
             npyz::npz::array_name_from_file_name(&name).map(str::to_owned)
@@ -99,11 +98,15 @@ impl Reader {
     }
 
     /// A matrix from its parts.
-    fn from_parts(&mut self, key: &str) -> Result<Sparse, ProblemError> {
+    fn joined(&mut self, key: &str) -> Result<Sparse, ProblemError> {
         let part = |name: &str| format!("{key}/{name}");
         let shape = self.counts(&part("shape"))?;
         let [rows, columns] = shape[..] else {
-            return Err(self.wrong(&part("shape"), "two numbers", format!("{} numbers", shape.len())));
+            return Err(self.wrong(
+                &part("shape"),
+                "two numbers",
+                format!("{} numbers", shape.len()),
+            ));
         };
         let values = self.numbers(&part("data"))?.values;
         let format = if self.has(&part("format")) {
@@ -139,12 +142,20 @@ impl Reader {
                 sparse.columns = self.lines(&part("indptr"), columns, sparse.rows.len())?;
             }
             other => {
-                return Err(self.wrong(&part("format"), "`csr`, `csc` or `coo`", format!("`{other}`")));
+                return Err(self.wrong(
+                    &part("format"),
+                    "`csr`, `csc` or `coo`",
+                    format!("`{other}`"),
+                ));
             }
         }
         let count = sparse.values.len();
         if sparse.rows.len() != count || sparse.columns.len() != count {
-            let found = format!("{} rows and {} columns", sparse.rows.len(), sparse.columns.len());
+            let found = format!(
+                "{} rows and {} columns",
+                sparse.rows.len(),
+                sparse.columns.len()
+            );
             return Err(self.wrong(key, &format!("as many as values ({count})"), found));
         }
         let inside = |indices: &[usize], end: usize| indices.iter().all(|&index| index < end);
@@ -156,7 +167,12 @@ impl Reader {
     }
 
     /// The row (column) of each entry from the starts of the rows (columns).
-    fn lines(&mut self, name: &str, count: usize, entries: usize) -> Result<Vec<usize>, ProblemError> {
+    fn lines(
+        &mut self,
+        name: &str,
+        count: usize,
+        entries: usize,
+    ) -> Result<Vec<usize>, ProblemError> {
         let starts = self.counts(name)?;
         let ascending = starts.windows(2).all(|pair| pair[0] <= pair[1]);
         if starts.len() != count + 1 || starts[0] != 0 || starts[count] != entries || !ascending {
@@ -194,7 +210,7 @@ impl Source for Reader {
 
     fn sparse(&mut self, key: &str) -> Result<Sparse, ProblemError> {
         if !self.has(key) {
-            return self.from_parts(key);
+            return self.joined(key);
         }
         let dense = self.numbers(key)?;
         Sparse::from_dense(&dense).ok_or_else(|| {
@@ -232,7 +248,11 @@ fn read_array(file: NpyFile<impl Read>) -> Result<Found, String> {
     let failed = |error: std::io::Error| error.to_string();
     macro_rules! numbers {
         ($type:ty) => {
-            file.into_vec::<$type>().map_err(failed)?.into_iter().map(|x| x as f64).collect()
+            file.into_vec::<$type>()
+                .map_err(failed)?
+                .into_iter()
+                .map(|x| x as f64)
+                .collect()
         };
     }
     let values: Vec<f64> = match (kind.type_char(), kind.size_field()) {
@@ -248,13 +268,19 @@ fn read_array(file: NpyFile<impl Read>) -> Result<Found, String> {
         (TypeChar::Uint, 1) => numbers!(u8),
         (TypeChar::Bool, _) => {
             let flags = file.into_vec::<bool>().map_err(failed)?;
-            flags.into_iter().map(|flag| f64::from(u8::from(flag))).collect()
+            flags
+                .into_iter()
+                .map(|flag| f64::from(u8::from(flag)))
+                .collect()
         }
         (TypeChar::UnicodeStr, _) => return file.into_vec().map(Found::Words).map_err(failed),
         (TypeChar::ByteStr, _) => {
             let words = file.into_vec::<Vec<u8>>().map_err(failed)?;
             let words = words.into_iter().map(String::from_utf8);
-            return words.collect::<Result<_, _>>().map(Found::Words).map_err(|e| e.to_string());
+            return words
+                .collect::<Result<_, _>>()
+                .map(Found::Words)
+                .map_err(|e| e.to_string());
         }
         _ => return Err(format!("the type {kind}")),
     };
@@ -262,9 +288,9 @@ fn read_array(file: NpyFile<impl Read>) -> Result<Found, String> {
         return Err("an array that ends early".to_owned());
     }
     let values = match shape[..] {
-        [rows, columns] if by_columns => {
-            (0..rows * columns).map(|k| values[k / columns + rows * (k % columns)]).collect()
-        }
+        [rows, columns] if by_columns => (0..rows * columns)
+            .map(|k| values[k / columns + rows * (k % columns)])
+            .collect(),
         _ => values,
     };
     Ok(Found::Numbers(Dense { shape, values }))
@@ -287,7 +313,12 @@ impl<W: Write + Seek> Archive<W> {
     ///
     /// # Errors
     /// [`WriteError::NotFinite`] for NaN and infinity; those of the stream.
-    pub fn numbers(&mut self, name: &str, shape: &[usize], values: &[f64]) -> Result<(), WriteError> {
+    pub fn numbers(
+        &mut self,
+        name: &str,
+        shape: &[usize],
+        values: &[f64],
+    ) -> Result<(), WriteError> {
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
             return Err(WriteError::NotFinite {
                 field: name.to_owned(),
@@ -302,7 +333,12 @@ impl<W: Write + Seek> Archive<W> {
     ///
     /// # Errors
     /// Those of the stream.
-    pub fn counts(&mut self, name: &str, shape: &[usize], values: &[usize]) -> Result<(), WriteError> {
+    pub fn counts(
+        &mut self,
+        name: &str,
+        shape: &[usize],
+        values: &[usize],
+    ) -> Result<(), WriteError> {
         let integer = |&count: &usize| i64::try_from(count).unwrap_or(i64::MAX);
         self.write(name, shape, values.iter().map(integer))
     }
@@ -320,12 +356,25 @@ impl<W: Write + Seek> Archive<W> {
     /// # Errors
     /// Those of the stream.
     pub fn words(&mut self, name: &str, values: &[String]) -> Result<(), WriteError> {
-        let length = values.iter().map(|word| word.chars().count()).max().unwrap_or(0).max(1);
-        let kind = format!("<U{length}").parse().map_err(std::io::Error::other)?;
+        let length = values
+            .iter()
+            .map(|word| word.chars().count())
+            .max()
+            .unwrap_or(0)
+            .max(1);
+        let kind = format!("<U{length}")
+            .parse()
+            .map_err(std::io::Error::other)?;
         let shape = [values.len() as u64];
-        let shape = if values.len() == 1 { &[][..] } else { &shape[..] };
+        let shape = if values.len() == 1 {
+            &[][..]
+        } else {
+            &shape[..]
+        };
         self.begin(name)?;
-        let options = npyz::WriteOptions::<str>::new().dtype(DType::Plain(kind)).shape(shape);
+        let options = npyz::WriteOptions::<str>::new()
+            .dtype(DType::Plain(kind))
+            .shape(shape);
         let mut writer = options.writer(&mut self.zip).begin_nd()?;
         for word in values {
             writer.push(word)?;
@@ -367,7 +416,10 @@ impl<W: Write + Seek> Archive<W> {
             .compression_method(CompressionMethod::Stored)
             .large_file(true);
         let file = npyz::npz::file_name_from_array_name(name);
-        Ok(self.zip.start_file(file, options).map_err(std::io::Error::from)?)
+        Ok(self
+            .zip
+            .start_file(file, options)
+            .map_err(std::io::Error::from)?)
     }
 
     fn write<T: npyz::AutoSerialize>(

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Mesh, brick};
+use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Mesh, Space, brick};
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
 use tresca_io::pvd::{self, Part};
@@ -128,7 +128,7 @@ fn a_plane_body_comes_back_with_vectors_of_three_components() {
         kind: CellKind::Quad4,
         connectivity: vec![0, 1, 2, 3],
     };
-    let mesh = Mesh::new(2, points, vec![block], BTreeMap::new()).unwrap();
+    let mesh = Mesh::new(Space::Plane, points, vec![block], BTreeMap::new()).unwrap();
     let displacement = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
     let stress = [[1.0, 2.0, 3.0, 4.0, 0.0, 0.0]; 4];
     let temperature = [20.0, 21.0, 22.0, 23.0];

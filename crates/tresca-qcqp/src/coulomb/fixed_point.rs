@@ -1,9 +1,9 @@
 //! The fixed point iteration: problems with frozen bounds, one after another.
 
 use super::history::History;
-use super::{CoulombLaw, Frictional, relative_change};
+use super::{Bounded, CoulombLaw, Frictional, first_multiplier, relative_change};
 use crate::Status;
-use crate::equality::Reach;
+use crate::equality::{self, Reach};
 use crate::session::{Ending, Session};
 use crate::sets::ProductSet;
 use crate::start::Start;
@@ -22,14 +22,10 @@ const MAX_WIDENINGS: usize = 6;
 /// λ_k for bounds g_k, g_{k+1} = g(λ_k). A, what is known of it, λ and its sets serve on.
 pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
     let law = problem.law;
-    if let Some(ending) = impossible(session, problem) {
-        return ending;
-    }
-    let mut set = first_set(problem, start);
-    let mut multiplier = problem.balance.map_or_else(Vec::new, |b| {
-        b.coordinates(start.map_or(&[], |s| s.multiplier))
-    });
-    let mut lambda = start.map(|s| s.lambda.to_vec());
+    let mut at = match first_guess(session, problem, start) {
+        Ok(guess) => guess,
+        Err(ending) => return *ending,
+    };
     let mut history = History::default();
     let mut tolerance = FIRST_TOLERANCE.max(session.settings.tolerance);
     let mut previous: Option<Ending> = None;
@@ -37,24 +33,20 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
     let mut outer = 0;
     loop {
         outer += 1;
-        let reach = problem.balance.map(|_| Reach::frozen(&set));
-        let from = lambda.as_deref();
-        let mut ending = problem.solve_with(
-            session,
-            &set,
-            None,
-            reach.as_ref(),
+        let bounded = Bounded {
+            problem,
+            set: &at.set,
+            law: None,
             tolerance,
-            from,
-            &multiplier,
-        );
+        };
+        let mut ending = bounded.solve(session, at.lambda.as_deref(), &at.multiplier);
         ending.outer_iterations = outer;
         if ending.status == Status::NoEquilibrium && widenings < MAX_WIDENINGS {
             // Too little friction on the way need not be too little at the end.
             widenings += 1;
             match &previous {
-                Some(last) => widen(law, &mut set, last, widenings),
-                None => law.bound(&mut set, &vec![STICK; law.bounds_of_blocks().len()]),
+                Some(last) => widen(law, &mut at.set, last, widenings),
+                None => at = Guess::sticking(problem),
             }
             continue;
         }
@@ -81,43 +73,79 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
             return ending;
         }
         tolerance = next_tolerance(session, tolerance, &ending, previous.as_ref());
-        set = ending.set.clone();
-        lambda = Some(scaled(law, &mut set, &ending.point.lambda, &bounds));
-        multiplier.clone_from(&ending.multiplier);
+        at = Guess::after(law, &ending, &bounds);
         previous = Some(ending);
         widenings = 0;
     }
 }
 
-/// The end of a problem whose load no friction cone can hold, for any bounds.
-fn impossible(session: &mut Session, problem: &Frictional) -> Option<Ending> {
-    let balance = problem.balance?;
-    let cones = Reach::cones(problem.set, problem.law);
-    crate::equality::without_equilibrium(
-        session,
-        problem.rhs,
-        problem.set,
-        Some(problem.law),
-        balance,
-        &cones,
-    )
+/// Where a frozen problem starts: its bounds, λ and β.
+struct Guess {
+    set: ProductSet,
+    lambda: Option<Vec<f64>>,
+    multiplier: Vec<f64>,
 }
 
-/// The bounds of the first frozen problem: the given ones when there is a start. Else no friction,
-/// whose normal forces are those of a good first guess; but floating bodies may need friction to be
-/// held at all, and then everything sticks.
-fn first_set(problem: &Frictional, start: Option<Start>) -> ProductSet {
-    let mut set = problem.set.clone();
-    if start.is_none() {
-        let bound = if problem.balance.is_some() {
-            STICK
-        } else {
-            0.0
-        };
-        let count = problem.law.bounds_of_blocks().len();
-        problem.law.bound(&mut set, &vec![bound; count]);
+impl Guess {
+    /// The bounds that follow from the last frozen problem, and λ for them.
+    fn after(law: &CoulombLaw, ending: &Ending, bounds: &[f64]) -> Self {
+        let mut set = ending.set.clone();
+        let lambda = scaled(law, &mut set, &ending.point.lambda, bounds);
+        Self {
+            set,
+            lambda: Some(lambda),
+            multiplier: ending.multiplier.clone(),
+        }
     }
-    set
+
+    /// Everything sticks: if this has no equilibrium, nothing has.
+    fn sticking(problem: &Frictional) -> Self {
+        let mut set = problem.set.clone();
+        let bounds = vec![STICK; problem.law.bounds_of_blocks().len()];
+        problem.law.bound(&mut set, &bounds);
+        Self {
+            set,
+            lambda: None,
+            multiplier: Vec::new(),
+        }
+    }
+}
+
+/// The first frozen problem: that of the start when there is one. Else without friction, whose
+/// normal forces are a good guess already (sticking costs half as much again); but floating bodies
+/// may need friction to be held at all, and land in their friction cones instead. An end when
+/// no friction cone can hold the load, whatever the bounds.
+fn first_guess(
+    session: &mut Session,
+    problem: &Frictional,
+    start: Option<Start>,
+) -> Result<Guess, Box<Ending>> {
+    let Frictional { rhs, law, .. } = *problem;
+    let mut set = problem.set.clone();
+    let mut multiplier = first_multiplier(problem, start);
+    let mut lambda = start.map(|start| start.lambda.to_vec());
+    let mut bounds = vec![0.0; law.bounds_of_blocks().len()];
+    if let Some(balance) = problem.balance {
+        let impossible = equality::without_equilibrium(session, rhs, &set, Some(law), balance);
+        if let Some(ending) = impossible {
+            return Err(Box::new(ending));
+        }
+        if start.is_none() {
+            let cones = Reach::new(&set, Some(law));
+            let (beta, landed) = equality::land(session, rhs, balance, &cones);
+            bounds = law.bounds(&landed);
+            multiplier = beta;
+            lambda = Some(landed);
+        }
+    }
+    if start.is_none() {
+        law.bound(&mut set, &bounds);
+    }
+    Ok(Guess {
+        set,
+        lambda,
+        multiplier,
+    })
 }
 
 /// The change of the bounds, and of λ since the last outer iteration.

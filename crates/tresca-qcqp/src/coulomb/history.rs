@@ -6,9 +6,9 @@ use crate::Status;
 /// Outer iterations without a smaller change after which the bounds are said not to settle.
 const PATIENCE: usize = 10;
 /// Longest cycle that is looked for.
-const LONGEST_CYCLE: usize = 6;
-/// Bounds have returned when they differ by this part of their last change.
-const RETURNED: f64 = 0.1;
+pub(super) const LONGEST_CYCLE: usize = 6;
+/// Something has returned when it differs from what it was by this part of its last change.
+pub(super) const RETURNED: f64 = 0.1;
 
 /// The bounds of the last outer iterations, and the smallest change among all.
 #[derive(Default)]

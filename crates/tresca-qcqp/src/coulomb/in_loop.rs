@@ -2,11 +2,11 @@
 //!
 //! The hook is in the loop of GRSSN. With an equality constraint the multiplier is updated outside.
 
-use super::Frictional;
-use crate::Status;
-use crate::equality::Reach;
+use super::history::{LONGEST_CYCLE, RETURNED};
+use super::{Bounded, Frictional, first_multiplier};
 use crate::session::{Ending, Session};
 use crate::start::Start;
+use crate::{IterationRecord, Status};
 
 /// Solves the problem from the bounds of the set when there is a start, from no friction without.
 pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
@@ -16,25 +16,34 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
         let nothing = vec![0.0; law.bounds_of_blocks().len()];
         law.bound(&mut set, &nothing);
     }
-    let reach = balance.map(|_| Reach::cones(&set, law));
-    let multiplier = balance.map_or_else(Vec::new, |b| {
-        b.coordinates(start.map_or(&[], |s| s.multiplier))
-    });
-    let mut ending = problem.solve_with(
-        session,
-        &set,
-        Some(law),
-        reach.as_ref(),
-        session.settings.tolerance,
-        start.map(|s| s.lambda),
-        &multiplier,
-    );
+    let bounded = Bounded {
+        problem,
+        set: &set,
+        law: Some(law),
+        tolerance: session.settings.tolerance,
+    };
+    let multiplier = first_multiplier(problem, start);
+    let mut ending = bounded.solve(session, start.map(|s| s.lambda), &multiplier);
     if balance.is_none() {
         ending.outer_iterations = session.journal.steps();
     }
     let unsettled = ending.outer_residual > session.settings.coulomb_tolerance;
     if ending.status == Status::Stagnated && unsettled {
-        ending.status = Status::CoulombCycles;
+        ending.status = if returns(&session.journal.records) {
+            Status::CoulombCycles
+        } else {
+            Status::CoulombDiverges
+        };
     }
     ending
+}
+
+/// Whether the last iterate is one of a few iterations ago, as far as the objective tells.
+fn returns(records: &[IterationRecord]) -> bool {
+    let [earlier @ .., before, last] = records else {
+        return false;
+    };
+    let distance = |record: &IterationRecord| (last.objective - record.objective).abs();
+    let mut recent = earlier.iter().rev().take(LONGEST_CYCLE - 1);
+    recent.any(|old| distance(old) <= RETURNED * distance(before))
 }

@@ -30,7 +30,6 @@ const SHORTENED: (f64, f64) = (0.05, 0.7);
 const MAX_SHORTENINGS: usize = 5;
 
 /// A multiplier with what is known there.
-#[derive(Clone)]
 pub(super) struct Station {
     pub beta: Vec<f64>,
     /// λ(β).
@@ -83,21 +82,15 @@ impl Ascent {
         let Some((base, direction)) = self.base.take() else {
             return self.leave(station, compliance());
         };
-        let counts = matches!(self.trial, Trial::Careful);
-        if counts || self.gains(&base, &direction, &station) {
-            if !matches!(
-                self.trial,
-                Trial::Step {
-                    shortenings: 1..,
-                    ..
-                }
-            ) {
+        if self.gains(&base, &direction, &station) {
+            if !self.was_shortened() {
                 self.epsilon = f64::max(self.epsilon / EASING, LEAST);
             }
             return self.leave(station, compliance());
         }
         let slope = dot(&station.shortfall, &direction.beta);
         let next = match self.trial {
+            Trial::Careful => return self.leave(station, compliance()),
             Trial::Step { shortenings: 0, .. } => {
                 self.trial = Trial::Excursion { slope };
                 let onwards = direction_at(&station, &compliance(), self.epsilon);
@@ -108,7 +101,6 @@ impl Ascent {
                 length,
                 shortenings,
             } => self.shorten(&base, &direction, length, slope, shortenings),
-            Trial::Careful => unreachable!("a careful step counts"),
         };
         self.base = Some((base, direction));
         next
@@ -153,6 +145,11 @@ impl Ascent {
         along(base, direction, factor * length)
     }
 
+    fn was_shortened(&self) -> bool {
+        matches!(self.trial, Trial::Step { shortenings, .. } if shortenings > 0)
+    }
+
+    /// Whether d has risen enough at the station, or the residual has fallen.
     fn gains(&self, base: &Station, direction: &Direction, station: &Station) -> bool {
         let length = match self.trial {
             Trial::Step { length, .. } => length,

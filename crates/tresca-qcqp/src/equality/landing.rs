@@ -15,7 +15,7 @@ const MAX_STEPS: usize = 12;
 const GOOD: f64 = 1e-6;
 
 /// β and λ ∈ Λ with about Gλ = e, for b as it belongs to the deformable parts alone.
-pub(super) fn guess(
+pub(crate) fn guess(
     session: &mut Session,
     rhs: &[f64],
     balance: &Balance,

@@ -11,6 +11,7 @@ mod multiplier;
 mod reach;
 mod winkler;
 
+pub(crate) use landing::guess as land;
 pub(crate) use multiplier::{Balanced, solve, without_equilibrium};
 pub(crate) use reach::Reach;
 
@@ -108,6 +109,37 @@ impl Balance {
             beta[i] = (value - known) / self.root[(i, i)];
         }
         beta
+    }
+
+    /// The same constraint with the diagonal of S in the place of S: every row keeps its meaning, and
+    /// units still cancel.
+    pub fn with_diagonal_metric(&self) -> Self {
+        let count = self.rows.len();
+        // G = L⁻ᵀG̃, from the last row up.
+        let (mut rows, mut load) = (self.rows.clone(), self.load.clone());
+        for i in (0..count).rev() {
+            let (above, below) = rows.split_at_mut(i + 1);
+            for (k, known) in (i + 1..count).zip(below.iter()) {
+                axpy(-self.root[(k, i)], known, &mut above[i]);
+                load[i] -= self.root[(k, i)] * load[k];
+            }
+            let pivot = self.root[(i, i)];
+            above[i].iter_mut().for_each(|x| *x /= pivot);
+            load[i] /= pivot;
+        }
+        let scale = |i: usize| {
+            (0..=i)
+                .map(|j| self.root[(i, j)].powi(2))
+                .sum::<f64>()
+                .sqrt()
+        };
+        let mut root = Mat::zeros(count, count);
+        for (i, row) in rows.iter_mut().enumerate() {
+            root[(i, i)] = scale(i);
+            row.iter_mut().for_each(|x| *x *= scale(i));
+            load[i] *= scale(i);
+        }
+        Self { rows, load, root }
     }
 
     /// ẽ − G̃λ.

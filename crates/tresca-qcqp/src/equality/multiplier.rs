@@ -5,7 +5,7 @@ use super::equilibrium::{self, Equilibrium};
 use super::{Balance, Reach, landing};
 use crate::Status;
 use crate::coulomb::CoulombLaw;
-use crate::methods::{Point, compliance};
+use crate::methods::{Point, compliance, relative};
 use crate::session::{Ending, Inner, Session};
 use crate::sets::ProductSet;
 use tresca_la::vector::dot;
@@ -16,6 +16,11 @@ const FIRST_TOLERANCE: f64 = 1e-2;
 const TOLERANCE_RATIO: f64 = 0.01;
 /// Relative residual of the systems for H: each step gains about as much, at little cost.
 const RESPONSE_ACCURACY: f64 = 3e-2;
+/// Where a step gains less than this factor, both become finer by [`CARE`] for good: H is then so
+/// ill-conditioned that what is neglected otherwise counts.
+const SLOW: f64 = 0.3;
+const CARE: f64 = 0.1;
+const MOST_CARE: f64 = 1e-4;
 
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
@@ -24,8 +29,6 @@ pub(crate) struct Balanced<'a> {
     pub set: &'a ProductSet,
     pub law: Option<&'a CoulombLaw>,
     pub balance: &'a Balance,
-    /// The forces that statics may count on; `None` when it is known that there is an equilibrium.
-    pub reach: Option<&'a Reach>,
     /// On the reduced gradient and on the residual of the constraint.
     pub tolerance: f64,
 }
@@ -38,9 +41,7 @@ pub(crate) fn solve(
     multiplier: &[f64],
 ) -> Ending {
     let Balanced { balance, law, .. } = *problem;
-    let impossible = problem.reach.and_then(|reach| {
-        without_equilibrium(session, problem.rhs, problem.set, law, balance, reach)
-    });
+    let impossible = without_equilibrium(session, problem.rhs, problem.set, law, balance);
     if let Some(ending) = impossible {
         return ending;
     }
@@ -50,9 +51,8 @@ pub(crate) fn solve(
     let (mut beta, mut lambda) = match start {
         Some(start) => (multiplier.to_vec(), Some(start.to_vec())),
         None => {
-            let frozen = Reach::frozen(&set);
-            let reach = problem.reach.unwrap_or(&frozen);
-            let (beta, lambda) = landing::guess(session, problem.rhs, balance, reach);
+            let reach = Reach::new(&set, law);
+            let (beta, lambda) = landing::guess(session, problem.rhs, balance, &reach);
             if let Some(law) = law {
                 law.bound(&mut set, &law.bounds(&lambda));
             }
@@ -60,6 +60,7 @@ pub(crate) fn solve(
         }
     };
     let mut tolerance = FIRST_TOLERANCE.max(problem.tolerance);
+    let (mut last_residual, mut care) = (f64::INFINITY, 1.0);
     let mut updates = 0;
     loop {
         let mut rhs = problem.rhs.to_vec();
@@ -100,6 +101,10 @@ pub(crate) fn solve(
             ending.status = Status::IterationLimit;
             return ending;
         }
+        if residual > SLOW * last_residual {
+            care = f64::max(CARE * care, MOST_CARE);
+        }
+        last_residual = residual;
         let station = Station {
             beta,
             lambda: ending.point.lambda.clone(),
@@ -107,11 +112,11 @@ pub(crate) fn solve(
             value: law.is_none().then_some(value),
         };
         let (next, expected) = ascent.next(station, || {
-            compliance(session, &ending, &balance.rows, RESPONSE_ACCURACY)
+            compliance(session, &ending, &balance.rows, care * RESPONSE_ACCURACY)
         });
         (beta, lambda) = (next, Some(expected));
         set = ending.set;
-        tolerance = (TOLERANCE_RATIO * residual)
+        tolerance = (care * TOLERANCE_RATIO * residual)
             .clamp(problem.tolerance, FIRST_TOLERANCE.max(problem.tolerance));
     }
 }
@@ -133,15 +138,26 @@ pub(crate) fn without_equilibrium(
     set: &ProductSet,
     law: Option<&CoulombLaw>,
     balance: &Balance,
-    reach: &Reach,
 ) -> Option<Ending> {
-    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(balance, reach) else {
+    let reach = Reach::new(set, law);
+    // Nearest with respect to the diagonal of S: a push along one motion is then answered by that
+    // motion, where S itself, which knows where the grounding sits, would mix in others.
+    let diagonal = balance.with_diagonal_metric();
+    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(&diagonal, &reach) else {
         return None;
     };
+    let mut motion = motion;
     let mut set = set.clone();
     if let Some(law) = law {
         law.bound(&mut set, &law.bounds(&lambda));
+        // A proof over friction cones moves along their surface, opening as it slides; with the bounds
+        // of the nearest λ it slides.
+        let frozen = equilibrium::find(&diagonal, &Reach::new(&set, None));
+        if let Equilibrium::Impossible { motion: slide, .. } = frozen {
+            motion = slide;
+        }
     }
+    let motion = balance.coordinates(&diagonal.motion(&motion));
     let mut ending = session.evaluate(rhs, &set, lambda);
     let shortfall = balance.shortfall(&ending.point.lambda);
     let reference = ending.reference.max(balance.spread(&balance.load));
@@ -150,8 +166,4 @@ pub(crate) fn without_equilibrium(
     ending.equality_residual = relative(balance.spread(&shortfall), reference);
     ending.motion = Some(motion);
     Some(ending)
-}
-
-fn relative(norm: f64, reference: f64) -> f64 {
-    if norm == 0.0 { 0.0 } else { norm / reference }
 }

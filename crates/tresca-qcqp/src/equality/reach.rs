@@ -25,8 +25,12 @@ enum Piece {
 }
 
 impl Reach {
-    /// Λ with its bounds as they are.
-    pub fn frozen(set: &ProductSet) -> Self {
+    /// The friction cones of the law where there is one, else Λ with its bounds as they are.
+    pub fn new(set: &ProductSet, law: Option<&CoulombLaw>) -> Self {
+        law.map_or_else(|| Self::frozen(set), |law| Self::cones(set, law))
+    }
+
+    fn frozen(set: &ProductSet) -> Self {
         Self {
             pieces: set.blocks().iter().map(|&b| Piece::Block(b)).collect(),
         }
@@ -35,7 +39,7 @@ impl Reach {
     /// The friction cones of the law, where a half-line holds the normal force and no other cone
     /// has it; the rest is as in Λ. A friction block whose normal force is spoken for, or may
     /// pull, is left unbounded: the set may be too large, never too small.
-    pub fn cones(set: &ProductSet, law: &CoulombLaw) -> Self {
+    fn cones(set: &ProductSet, law: &CoulombLaw) -> Self {
         let blocks = set.blocks();
         let mut taken = vec![false; blocks.len()];
         let mut pieces = Vec::new();
@@ -119,6 +123,7 @@ impl Reach {
                 match block.set {
                     BlockSet::HalfLine(_) => unlimited(block.start, w[block.start]),
                     BlockSet::Line(_) => unlimited(block.start, size),
+                    BlockSet::Point(_) => 0.0,
                     BlockSet::Interval(_) | BlockSet::Disc(_) => match block.set.bound() {
                         Some(bound) if bound < UNBOUNDED => bound * size,
                         _ => unlimited(block.start, size),

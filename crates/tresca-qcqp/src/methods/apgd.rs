@@ -3,7 +3,8 @@
 //! Nesterov's method with the gradient restart of B. O'Donoghue and E. Candès,
 //! *Adaptive restart for accelerated gradient schemes*, Found. Comput. Math. 15 (2015).
 
-use super::run::{Step, gradient_step};
+use super::point::gradient_step;
+use super::run::Step;
 use super::{Point, Run};
 use crate::Status;
 

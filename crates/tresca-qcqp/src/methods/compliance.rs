@@ -10,8 +10,8 @@
 use super::Point;
 use super::grssn::tangent_space;
 use super::inner::direct_factor;
+use super::point::gradient_step;
 use super::preconditioner::Preconditioner;
-use super::run::gradient_step;
 use crate::reduced::{ReducedOperator, ReducedSpace};
 use crate::session::{Ending, Session};
 use faer::linalg::solvers::Solve;

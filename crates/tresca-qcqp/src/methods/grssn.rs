@@ -109,7 +109,7 @@ pub(super) fn tangent_space(set: &ProductSet, active: &ActiveSet, x: &Point) -> 
 }
 
 /// η: the inner residual relative to the current reduced gradient, after Eisenstat
-/// and Walker; never finer than the tolerance of the run can notice.
+/// and Walker; never finer than the tolerance of the run can notice. Bounds that follow λ notice more.
 fn forcing(run: &Run, previous: f64) -> f64 {
     // In the first step nothing is known of the rate.
     let rate = if previous.is_finite() {
@@ -118,6 +118,9 @@ fn forcing(run: &Run, previous: f64) -> f64 {
         f64::INFINITY
     };
     let wanted = f64::min(run.settings.forcing, FORCING_RATIO * rate);
+    if run.follows_coulomb() {
+        return wanted;
+    }
     wanted.max(OVERSOLVING * run.tolerance / run.relative)
 }
 

@@ -11,6 +11,7 @@ mod imssn;
 mod inner;
 mod memory;
 mod mssn;
+mod point;
 mod preconditioner;
 mod recycle;
 mod run;
@@ -18,7 +19,8 @@ mod ssn;
 
 pub(crate) use compliance::{Compliance, compliance};
 pub(crate) use memory::Memory;
-pub(crate) use run::{Point, Run, ending_at, zero_ending};
+pub(crate) use point::{Point, relative};
+pub(crate) use run::{Run, ending_at, zero_ending};
 
 use crate::{Method, Status};
 

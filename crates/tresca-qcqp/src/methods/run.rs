@@ -1,43 +1,13 @@
 //! What every method needs: the problem, the one measure, the records, the verdict.
 
+use super::point::{
+    Point, gradient_step, objective, objective_rounding, point_at, reduced_gradient, relative,
+};
 use crate::session::{Ending, Inner, Journal};
 use crate::sets::{BlockState, ConvexSet};
 use crate::{
     ActiveSet, DualOperator, IterationRecord, Method, Observer, ProductSet, Settings, Status,
 };
-use tresca_la::vector::{axpy, dot, norm};
-
-/// A point λ and the gradient r(λ) = Aλ − b there.
-#[derive(Clone, Debug)]
-pub(crate) struct Point {
-    pub lambda: Vec<f64>,
-    pub gradient: Vec<f64>,
-}
-
-impl Point {
-    /// λ = 0, where r = −b.
-    pub fn zero(rhs: &[f64]) -> Self {
-        Self {
-            lambda: vec![0.0; rhs.len()],
-            gradient: rhs.iter().map(|b| -b).collect(),
-        }
-    }
-
-    /// q(self) − q(other) = ½ (λ − λ')ᵀ(r + r'), without the cancellation of a difference of two q.
-    pub fn objective_change_from(&self, other: &Point) -> f64 {
-        let mut change = 0.0;
-        for i in 0..self.lambda.len() {
-            change += (self.lambda[i] - other.lambda[i]) * (self.gradient[i] + other.gradient[i]);
-        }
-        0.5 * change
-    }
-
-    /// Moves along a direction whose product with A is known.
-    pub fn advance(&mut self, alpha: f64, direction: &[f64], product: &[f64]) {
-        axpy(alpha, direction, &mut self.lambda);
-        axpy(alpha, product, &mut self.gradient);
-    }
-}
 
 /// How an iterate was reached.
 #[derive(Clone, Copy, Debug)]
@@ -238,10 +208,7 @@ impl<'a> Run<'a> {
         // Both in units of what is asked for, so that one figure tells which point is the better one.
         let figure = match self.inner.law {
             None => relative,
-            Some(_) => f64::max(
-                relative / self.tolerance,
-                bounds_change / self.settings.coulomb_tolerance,
-            ),
+            Some(_) => f64::max(relative / self.tolerance, bounds_change / self.settled()),
         };
         let judged = Judged {
             point: point.clone(),
@@ -264,8 +231,7 @@ impl<'a> Run<'a> {
         let iteration = self.iterations;
         self.iterations += 1;
 
-        let settled = bounds_change <= self.settings.coulomb_tolerance;
-        if relative <= self.tolerance && settled {
+        if relative <= self.tolerance && bounds_change <= self.settled() {
             Some(Status::Converged)
         } else if stop {
             Some(Status::Interrupted)
@@ -275,6 +241,17 @@ impl<'a> Run<'a> {
             Some(Status::IterationLimit)
         } else {
             None
+        }
+    }
+
+    /// The change of bounds in the loop that counts as none. In a problem that is not yet solved to
+    /// the end, because its multiplier is not known, the bounds need no more than the rest.
+    fn settled(&self) -> f64 {
+        let asked = self.settings.coulomb_tolerance;
+        if self.tolerance > self.settings.tolerance {
+            asked.max(self.tolerance)
+        } else {
+            asked
         }
     }
 
@@ -335,16 +312,6 @@ pub(crate) fn zero_ending(rhs: &[f64], set: ProductSet) -> Ending {
     ending(Status::Converged, zero, set, 0.0)
 }
 
-/// λ and its gradient: one multiplication, none for λ = 0.
-fn point_at(operator: &mut dyn DualOperator, rhs: &[f64], lambda: Vec<f64>) -> Point {
-    let mut gradient = vec![0.0; lambda.len()];
-    if lambda.iter().any(|&l| l != 0.0) {
-        operator.apply(&lambda, &mut gradient);
-    }
-    axpy(-1.0, rhs, &mut gradient);
-    Point { lambda, gradient }
-}
-
 /// P_Λ(λ) as an end, with the status left to the caller.
 pub(crate) fn ending_at(
     operator: &mut dyn DualOperator,
@@ -400,11 +367,6 @@ fn zero_point(rhs: &[f64], set: &ProductSet, relative: f64) -> Judged {
     }
 }
 
-/// A norm against the reference; with a zero reference only a zero norm is 0.
-fn relative(norm: f64, reference: f64) -> f64 {
-    if norm == 0.0 { 0.0 } else { norm / reference }
-}
-
 /// Iterations without progress after which a method is said to stagnate. The
 /// Newton methods gain at every step or cycle; gradient methods may rest for a while.
 fn patience(method: Method) -> usize {
@@ -413,47 +375,4 @@ fn patience(method: Method) -> usize {
         Method::Gimssn => 60,
         Method::Ssn | Method::Mssn | Method::Imssn | Method::Grssn => 25,
     }
-}
-
-/// λ − ρ r(λ).
-pub(crate) fn gradient_step(point: &Point, rho: f64) -> Vec<f64> {
-    point
-        .lambda
-        .iter()
-        .zip(&point.gradient)
-        .map(|(l, r)| l - rho * r)
-        .collect()
-}
-
-/// ‖r̃_ρ(λ)‖ = ‖λ − P_Λ(y)‖/ρ and the active set, both at y = λ − ρ r. On free blocks r̃ is r
-/// itself, which spares the cancellation in λ − y.
-fn reduced_gradient(set: &ProductSet, point: &Point, rho: f64) -> (f64, ActiveSet) {
-    let mut reduced = gradient_step(point, rho);
-    let active = set.classify(&reduced);
-    for (block, state) in set.blocks().iter().zip(active.states()) {
-        let range = block.range();
-        let own = &mut reduced[range.clone()];
-        match state {
-            BlockState::Free => own.copy_from_slice(&point.gradient[range]),
-            BlockState::Bound => {
-                block.set.project(own);
-                for (own, lambda) in own.iter_mut().zip(&point.lambda[range]) {
-                    *own = (lambda - *own) / rho;
-                }
-            }
-        }
-    }
-    (norm(&reduced), active)
-}
-
-/// q(λ) = ½ λᵀ(r − b).
-fn objective(point: &Point, rhs: &[f64]) -> f64 {
-    0.5 * (dot(&point.lambda, &point.gradient) - dot(&point.lambda, rhs))
-}
-
-/// What q may be wrong by when evaluated in floating point.
-fn objective_rounding(point: &Point, rhs: &[f64]) -> f64 {
-    let terms = point.lambda.iter().zip(point.gradient.iter().zip(rhs));
-    let size: f64 = terms.map(|(l, (r, b))| l.abs() * (r.abs() + b.abs())).sum();
-    16.0 * f64::EPSILON * size
 }

@@ -1,20 +1,22 @@
 //! The convex sets of which Λ is made.
 //!
 //! A block is one constraint of the dual problem: a free line (tied pair), a
-//! half-line (normal force), an interval (friction in 2D) or a disc (friction
-//! in 3D). Each knows its projection P, whether a point y belongs to the side
+//! half-line (normal force), an interval (friction in 2D), a disc (friction in 3D) or
+//! the point 0 (nothing moves there). Each knows its projection P, whether a point y belongs to the side
 //! where the unknown is free, and a slanting function of P there.
 
 mod disc;
 mod half_line;
 mod interval;
 mod line;
+mod point;
 mod product;
 
 pub use disc::Disc;
 pub use half_line::HalfLine;
 pub use interval::Interval;
 pub use line::Line;
+pub use point::Point;
 pub use product::{Block, BlockSet, ProductSet};
 
 use serde::{Deserialize, Serialize};

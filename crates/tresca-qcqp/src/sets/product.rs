@@ -1,6 +1,6 @@
 //! Λ: the product of the blocks.
 
-use super::{BlockState, ConvexSet, Disc, HalfLine, Interval, Line};
+use super::{BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Point};
 use crate::{ActiveSet, QcqpError};
 use std::ops::Range;
 
@@ -15,6 +15,8 @@ pub enum BlockSet {
     Interval(Interval),
     /// ‖x‖ ≤ g in ℝ².
     Disc(Disc),
+    /// {0}.
+    Point(Point),
 }
 
 impl BlockSet {
@@ -25,6 +27,7 @@ impl BlockSet {
             BlockSet::HalfLine(set) => set,
             BlockSet::Interval(set) => set,
             BlockSet::Disc(set) => set,
+            BlockSet::Point(set) => set,
         }
     }
 
@@ -32,7 +35,7 @@ impl BlockSet {
     pub fn bound(&self) -> Option<f64> {
         match *self {
             BlockSet::Interval(Interval { bound }) | BlockSet::Disc(Disc { bound }) => Some(bound),
-            BlockSet::Line(_) | BlockSet::HalfLine(_) => None,
+            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => None,
         }
     }
 
@@ -41,7 +44,7 @@ impl BlockSet {
         match self {
             BlockSet::Interval(_) => BlockSet::Interval(Interval { bound }),
             BlockSet::Disc(_) => BlockSet::Disc(Disc { bound }),
-            BlockSet::Line(_) | BlockSet::HalfLine(_) => self,
+            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => self,
         }
     }
 }

@@ -54,6 +54,8 @@ words! {
 words! {
     /// How the bounds of Coulomb's law are found.
     pub enum CoulombMethod, "Coulomb method" {
+        /// In the loop with grssn and, should that fail, by fixed point; with other methods by fixed point.
+        Auto = "auto",
         /// Problems with frozen bounds, one after another, until the bounds no longer change.
         FixedPoint = "fixed_point",
         /// The bounds follow the normal forces after every Newton step; grssn only.
@@ -69,7 +71,7 @@ settings! {
         method: Method = Method::Grssn, Range::WORDS;
         /// Stop when the relative reduced gradient ‖r̃(λ)‖/‖r̃(0)‖ is at or below this.
         tolerance: f64 = 1e-8, Range::open(0.0, 1.0);
-        /// Largest number of iterations.
+        /// Largest number of iterations, of all outer iterations together.
         max_iterations: usize = 1000, Range::at_least(0.0);
         /// ρ in y = λ − ρ r(λ), which decides the active set and is the step of gimssn, grssn and apgd; in
         /// units of 1/σmax. gimssn and grssn need a value below 2, apgd at most 1. With ssn, mssn and imssn
@@ -94,7 +96,7 @@ settings! {
         /// systems; 0 keeps none.
         recycled_directions: usize = 128, Range::closed(0.0, 4096.0);
         /// Coulomb friction: how the slip bounds, which depend on the normal forces, are found.
-        coulomb: CoulombMethod = CoulombMethod::FixedPoint, Range::WORDS;
+        coulomb: CoulombMethod = CoulombMethod::Auto, Range::WORDS;
         /// Coulomb friction: stop when the relative changes of the bounds, and of the forces from one
         /// outer iteration to the next, are at or below this.
         coulomb_tolerance: f64 = 1e-6, Range::open(0.0, 1.0);
@@ -117,7 +119,7 @@ impl Settings {
             return Err(QcqpError::Setting {
                 name: "coulomb",
                 value: self.coulomb.show(),
-                allowed: "fixed_point with methods other than grssn".to_owned(),
+                allowed: "auto or fixed_point with methods other than grssn".to_owned(),
             });
         }
         let rho = self.rho;

@@ -31,6 +31,11 @@ pub fn constrained_minimiser(plain: &Plain, rows: &[Vec<f64>], rhs: &[f64]) -> O
                 h.push(0.0);
                 cones.push(NonnegativeConeT(1));
             }
+            BlockSet::Point(_) => {
+                g.push(h.len(), i, 1.0);
+                h.push(0.0);
+                cones.push(ZeroConeT(1));
+            }
             BlockSet::Interval(interval) => {
                 g.push(h.len(), i, 1.0);
                 g.push(h.len() + 1, i, -1.0);

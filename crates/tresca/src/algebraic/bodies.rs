@@ -67,6 +67,9 @@ pub(super) struct Bodies {
     pub factored: Factored,
 }
 
+/// The dofs of a part that floats, numbered in its body, and its kernel (scaled, see `kernel`).
+type PartKernel = (Vec<usize>, Vec<Vec<f64>>);
+
 /// A body on the way to its factor.
 struct Draft<'a> {
     dofs: Vec<usize>,
@@ -242,7 +245,7 @@ impl<'a> Draft<'a> {
             _ => {}
         }
         let part = Draft {
-            parts: vec![&[]],
+            parts: Vec::new(),
             touched: body.coupling.touched(),
             dofs: body.dofs,
             stiffness: body.stiffness,
@@ -279,7 +282,7 @@ impl<'a> Draft<'a> {
     }
 
     /// The kernels of all parts, by eigenvalues: (dofs in the body, scaled vectors).
-    fn of_small_parts(&self) -> Result<Vec<(Vec<usize>, Vec<Vec<f64>>)>, AlgebraicError> {
+    fn of_small_parts(&self) -> Result<Vec<PartKernel>, AlgebraicError> {
         let mut kernels = Vec::new();
         for part in &self.parts {
             let local = self.local(part);
@@ -293,10 +296,7 @@ impl<'a> Draft<'a> {
     }
 
     /// What given vectors are on every part.
-    fn given(
-        &self,
-        vectors: &[Vec<f64>],
-    ) -> Result<Vec<(Vec<usize>, Vec<Vec<f64>>)>, AlgebraicError> {
+    fn given(&self, vectors: &[Vec<f64>]) -> Result<Vec<PartKernel>, AlgebraicError> {
         let mut kernels = Vec::new();
         for part in &self.parts {
             let local = self.local(part);
@@ -313,6 +313,12 @@ impl<'a> Draft<'a> {
             };
             let kernel = kernel::checked(k, &own)
                 .map_err(|(vector, residual)| AlgebraicError::Kernel { vector, residual })?;
+            if part.len() <= SMALL {
+                let all = kernel::of_small(k).map_err(|failure| self.failure(failure, part))?;
+                if all.len() > kernel.len() {
+                    return Err(AlgebraicError::KernelIncomplete { dof: part[0] });
+                }
+            }
             if !kernel.is_empty() {
                 kernels.push((local, kernel));
             }
@@ -333,8 +339,8 @@ impl<'a> Draft<'a> {
         }
     }
 
-    fn notes(&self, kernels: &[(Vec<usize>, Vec<Vec<f64>>)]) -> Vec<Note> {
-        let note = |(local, kernel): &(Vec<usize>, Vec<Vec<f64>>)| Note::KernelFound {
+    fn notes(&self, kernels: &[PartKernel]) -> Vec<Note> {
+        let note = |(local, kernel): &PartKernel| Note::KernelFound {
             dof: self.dofs[local[0]],
             dofs: local.len(),
             vectors: kernel.len(),
@@ -343,7 +349,7 @@ impl<'a> Draft<'a> {
     }
 
     /// The body with its floating parts grounded.
-    fn grounded(self, kernels: &[(Vec<usize>, Vec<Vec<f64>>)]) -> Result<Body, AlgebraicError> {
+    fn grounded(self, kernels: &[PartKernel]) -> Result<Body, AlgebraicError> {
         let scales = kernel::scales(&self.stiffness);
         let mut floating = Vec::new();
         for (local, kernel) in kernels {

@@ -104,10 +104,8 @@ pub(super) fn layout(
     mobility: &[Mobility],
     tangents: usize,
 ) -> Result<Layout, AlgebraicError> {
-    let needs_tangents = |law: &Law| match law {
-        Law::Frictionless | Law::Bilateral { bound: 0.0 } => false,
-        _ => true,
-    };
+    let needs_tangents =
+        |law: &Law| !matches!(law, Law::Frictionless | Law::Bilateral { bound: 0.0 });
     if tangents == 0
         && let Some(pair) = laws.iter().position(needs_tangents)
     {

@@ -50,15 +50,27 @@ impl Problem {
             Matrix::from_triplets(sparse.shape, &sparse.rows, &sparse.columns, &sparse.values)
                 .map_err(|source| in_file(AlgebraicError::Matrix { what, source }))
         };
-        let blocks = content.stiffness.iter().map(|k| matrix("K", k)).collect::<Result<Vec<_>, _>>()?;
+        let blocks = content
+            .stiffness
+            .iter()
+            .map(|k| matrix("K", k))
+            .collect::<Result<Vec<_>, _>>()?;
         let normal = matrix("N", &content.normal)?;
         let m = normal.rows();
-        let tangential = content.tangential.as_ref().map(|t| matrix("T", t)).transpose()?;
+        let tangential = content
+            .tangential
+            .as_ref()
+            .map(|t| matrix("T", t))
+            .transpose()?;
         let kernel = match &content.kernel {
             None => Kernel::Find,
             Some(vectors) => Kernel::Given(columns(vectors, path)?),
         };
-        let points = content.points.as_ref().map(|points| triples(points, path)).transpose()?;
+        let points = content
+            .points
+            .as_ref()
+            .map(|points| triples(points, path))
+            .transpose()?;
         let friction = friction(&content, m, tangential.is_some(), path)?;
         let start = match (content.start_normal, content.start_tangential) {
             (None, None) => None,
@@ -103,7 +115,8 @@ impl Problem {
                 }
             }
         };
-        let used = |dense: Dense, unused: f64| dense.values.iter().any(|&x| x != unused).then_some(dense);
+        let used =
+            |dense: Dense, unused: f64| dense.values.iter().any(|&x| x != unused).then_some(dense);
         let bounds = figures(|law| match *law {
             Law::Tresca { bound } | Law::Bilateral { bound } => [bound; 2],
             Law::Orthotropic { bounds } => bounds,
@@ -118,7 +131,9 @@ impl Problem {
             _ => [f64::INFINITY; 2],
         });
         let mut words: Vec<String> = laws.iter().map(|law| law.name().to_owned()).collect();
-        let needs_bounds = words.iter().any(|word| ["tresca", "orthotropic"].contains(&word.as_str()));
+        let needs_bounds = words
+            .iter()
+            .any(|word| ["tresca", "orthotropic"].contains(&word.as_str()));
         let needs_coefficients = words.iter().any(|word| word == "coulomb");
         if words.iter().all(|word| *word == words[0]) {
             words.truncate(1);
@@ -143,12 +158,23 @@ impl Problem {
             load: conditions.load.clone(),
             gap: conditions.gap.clone(),
             law: Some(words),
-            bounds: if needs_bounds { Some(bounds) } else { used(bounds, 0.0) },
-            coefficients: if needs_coefficients { Some(coefficients) } else { None },
+            bounds: if needs_bounds {
+                Some(bounds)
+            } else {
+                used(bounds, 0.0)
+            },
+            coefficients: if needs_coefficients {
+                Some(coefficients)
+            } else {
+                None
+            },
             limits: used(limits, f64::INFINITY),
             previous_slip: conditions.previous_slip.clone(),
             start_normal: conditions.start.as_ref().map(|start| start.normal.clone()),
-            start_tangential: conditions.start.as_ref().map(|start| start.tangential.clone()),
+            start_tangential: conditions
+                .start
+                .as_ref()
+                .map(|start| start.tangential.clone()),
             points: self.points.as_ref().map(|points| Dense {
                 shape: vec![points.len(), 3],
                 values: points.as_flattened().to_vec(),
@@ -164,7 +190,9 @@ fn sparse(matrix: &Matrix) -> Sparse {
         ..Sparse::default()
     };
     for i in 0..matrix.rows() {
-        matrix.row(i).for_each(|(j, value)| sparse.push(i, j, value));
+        matrix
+            .row(i)
+            .for_each(|(j, value)| sparse.push(i, j, value));
     }
     sparse
 }
@@ -183,16 +211,34 @@ fn columns(dense: &Dense, path: &Path) -> Result<Vec<Vec<f64>>, FileError> {
     match dense.shape[..] {
         [_] => Ok(vec![dense.values.clone()]),
         [_, count] => Ok((0..count)
-            .map(|column| dense.values.iter().skip(column).step_by(count).copied().collect())
+            .map(|column| {
+                dense
+                    .values
+                    .iter()
+                    .skip(column)
+                    .step_by(count)
+                    .copied()
+                    .collect()
+            })
             .collect()),
-        _ => Err(wrong(path, "kernel", "a matrix, dofs × vectors".to_owned(), dense.size())),
+        _ => Err(wrong(
+            path,
+            "kernel",
+            "a matrix, dofs × vectors".to_owned(),
+            dense.size(),
+        )),
     }
 }
 
 fn triples(dense: &Dense, path: &Path) -> Result<Vec<[f64; 3]>, FileError> {
     match dense.shape[..] {
         [_, 3] => Ok(dense.values.as_chunks().0.to_vec()),
-        _ => Err(wrong(path, "points", "a matrix with 3 columns".to_owned(), dense.size())),
+        _ => Err(wrong(
+            path,
+            "points",
+            "a matrix with 3 columns".to_owned(),
+            dense.size(),
+        )),
     }
 }
 
@@ -203,13 +249,21 @@ fn friction(
     has_tangents: bool,
     path: &Path,
 ) -> Result<Friction, FileError> {
-    let bounds = content.bounds.as_ref().map(|dense| figures("bounds", dense, pairs, path)).transpose()?;
+    let bounds = content
+        .bounds
+        .as_ref()
+        .map(|dense| figures("bounds", dense, pairs, path))
+        .transpose()?;
     let coefficients = content
         .coefficients
         .as_ref()
         .map(|dense| figures("coefficients", dense, pairs, path))
         .transpose()?;
-    let limits = content.limits.as_ref().map(|dense| figures("limits", dense, pairs, path)).transpose()?;
+    let limits = content
+        .limits
+        .as_ref()
+        .map(|dense| figures("limits", dense, pairs, path))
+        .transpose()?;
     let inferred = || {
         let word = match (&content.bounds, &content.coefficients) {
             (Some(_), Some(_)) => {
@@ -219,7 +273,9 @@ fn friction(
                     meaning: "there are both `bounds` and `coefficients`",
                 }));
             }
-            (Some(bounds), None) if bounds.shape.len() == 2 && bounds.shape[1] == 2 => "orthotropic",
+            (Some(bounds), None) if bounds.shape.len() == 2 && bounds.shape[1] == 2 => {
+                "orthotropic"
+            }
             (Some(_), None) => "tresca",
             (None, Some(_)) => "coulomb",
             (None, None) if has_tangents => {
@@ -239,18 +295,26 @@ fn friction(
     };
     if words.len() != 1 && words.len() != pairs {
         let expected = format!("one word, or one for each of {pairs} pairs");
-        return Err(wrong(path, "law", expected, format!("{} words", words.len())));
+        return Err(wrong(
+            path,
+            "law",
+            expected,
+            format!("{} words", words.len()),
+        ));
     }
     let law = |pair: usize| {
         let word = &words[if words.len() == 1 { 0 } else { pair }][..];
         let needed = |key: &'static str, figures: &Option<Vec<[f64; 2]>>| {
-            figures.as_ref().map(|figures| figures[pair]).ok_or_else(|| {
-                FileError::File(ProblemError::Missing {
-                    path: path.to_owned(),
-                    key: key.to_owned(),
-                    meaning: "the friction law needs it",
+            figures
+                .as_ref()
+                .map(|figures| figures[pair])
+                .ok_or_else(|| {
+                    FileError::File(ProblemError::Missing {
+                        path: path.to_owned(),
+                        key: key.to_owned(),
+                        meaning: "the friction law needs it",
+                    })
                 })
-            })
         };
         Ok(match word {
             "frictionless" => Law::Frictionless,
@@ -259,7 +323,12 @@ fn friction(
                 let [bound, second] = needed("bounds", &bounds)?;
                 if bound != second {
                     let expected = "one bound per pair for the law `tresca`".to_owned();
-                    return Err(wrong(path, "bounds", expected, "two that differ".to_owned()));
+                    return Err(wrong(
+                        path,
+                        "bounds",
+                        expected,
+                        "two that differ".to_owned(),
+                    ));
                 }
                 Law::Tresca { bound }
             }
@@ -268,13 +337,16 @@ fn friction(
             },
             "coulomb" => Law::Coulomb {
                 coefficients: needed("coefficients", &coefficients)?,
-                limit: limits.as_ref().map_or(f64::INFINITY, |limits| limits[pair][0]),
+                limit: limits
+                    .as_ref()
+                    .map_or(f64::INFINITY, |limits| limits[pair][0]),
             },
             "bilateral" => Law::Bilateral {
                 bound: bounds.as_ref().map_or(0.0, |bounds| bounds[pair][0]),
             },
             other => {
-                let known = "frictionless, tresca, orthotropic, coulomb, tied or bilateral".to_owned();
+                let known =
+                    "frictionless, tresca, orthotropic, coulomb, tied or bilateral".to_owned();
                 return Err(wrong(path, "law", known, format!("`{other}`")));
             }
         })
@@ -292,7 +364,9 @@ fn figures(
 ) -> Result<Vec<[f64; 2]>, FileError> {
     match (&dense.shape[..], &dense.values[..]) {
         ([] | [1], [value]) => Ok(vec![[*value; 2]; pairs]),
-        ([length], values) if *length == pairs => Ok(values.iter().map(|&value| [value; 2]).collect()),
+        ([length], values) if *length == pairs => {
+            Ok(values.iter().map(|&value| [value; 2]).collect())
+        }
         ([length, 2], values) if *length == pairs => Ok(values.as_chunks().0.to_vec()),
         _ => {
             let expected = format!("a number, {pairs} numbers or {pairs} × 2");
@@ -331,7 +405,12 @@ impl Assembly {
             let frames = self.pairs.iter().map(|pair| &pair.frame);
             let normals = frames.clone().flat_map(|frame| frame.normal).collect();
             let tangents = frames.flat_map(|frame| frame.tangents.concat()).collect();
-            let dofs = self.dofs.iter().flatten().map(|&number| number as f64).collect();
+            let dofs = self
+                .dofs
+                .iter()
+                .flatten()
+                .map(|&number| number as f64)
+                .collect();
             let areas = self.pairs.iter().map(|pair| pair.area).collect();
             content.info = vec![
                 ("normals".to_owned(), place(normals, 3)),
@@ -339,9 +418,13 @@ impl Assembly {
                 ("areas".to_owned(), Dense::vector(areas)),
                 ("dofs".to_owned(), place(dofs, 3)),
             ];
-            let name = to.file_name().map(|name| name.to_string_lossy().into_owned());
+            let name = to
+                .file_name()
+                .map(|name| name.to_string_lossy().into_owned());
             let mut files = OutputSet::new(folder_of(to))?;
-            files.stage(&name.unwrap_or_default(), |out| problem::write_npz(out, &content))?;
+            files.stage(&name.unwrap_or_default(), |out| {
+                problem::write_npz(out, &content)
+            })?;
             files.commit()?;
         } else {
             Destination::new(to)?;
@@ -370,7 +453,8 @@ impl Solution {
         let mut files = OutputSet::new(to.into_directory())?;
         files.stage("solution.npz", |out| {
             let mut archive = Archive::in_memory();
-            let mut vector = |name: &str, values: &[f64]| archive.numbers(name, &[values.len()], values);
+            let mut vector =
+                |name: &str, values: &[f64]| archive.numbers(name, &[values.len()], values);
             if !self.displacement.is_empty() {
                 vector("u", &self.displacement)?;
             }
@@ -385,7 +469,9 @@ impl Solution {
             archive.flags("stick", &self.stick)?;
             archive.finish_to(out)
         })?;
-        files.stage("history.csv", |out| history_table([(1, &self.records[..])])?.write(out))?;
+        files.stage("history.csv", |out| {
+            history_table([(1, &self.records[..])])?.write(out)
+        })?;
         let result = Summary::new(title, self);
         files.stage("summary.json", |out| summary::write(out, &result))?;
         files.commit()?;

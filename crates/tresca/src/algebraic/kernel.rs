@@ -100,7 +100,8 @@ pub(super) fn is_singular(k: &SymmetricMatrix, factor: &SparseCholesky) -> bool 
         }
         x.iter_mut().for_each(|x| *x /= length);
     }
-    !(dot(&x, &product(k, &scales, &x)) > ZERO)
+    let eigenvalue = dot(&x, &product(k, &scales, &x));
+    eigenvalue.is_nan() || eigenvalue <= ZERO
 }
 
 /// The kernel of a large matrix by subspace iteration with (K̂ + εI)⁻¹; scaled vectors, orthonormal.

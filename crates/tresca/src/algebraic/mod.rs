@@ -46,6 +46,11 @@
 //! [`solve`] does it in one go. [`prepare`] factors once, and [`Prepared::solve`] then takes other loads, gaps
 //! and bounds: load steps. [`Dual`] is the same for those who have A, b and the bounds alone.
 
+/// The examples of the page are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../../docs/bring-your-own-matrices.md")]
+struct Page;
+
 mod bodies;
 mod check;
 mod dual;

@@ -69,6 +69,11 @@ fn coordinates(neighbours: &[Vec<usize>]) -> Vec<[f64; 3]> {
         if !points[start][0].is_nan() {
             continue;
         }
+        if neighbours[start].is_empty() {
+            points[start] = [part * far, 0.0, 0.0];
+            part += 1.0;
+            continue;
+        }
         let from_start = steps(neighbours, start);
         let farthest = |distance: &dyn Fn(usize) -> usize| {
             let reached = (0..count).filter(|&pair| from_start[pair] != usize::MAX);

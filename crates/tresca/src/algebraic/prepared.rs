@@ -74,7 +74,7 @@ pub fn prepare(
             .collect();
         notes.push(Note::DependentRows { rows });
     }
-    if stiffness.parts.len() > 1 {
+    if stiffness.parts.len() > problem.stiffness.len() {
         notes.push(Note::Parts {
             parts: stiffness.parts.len(),
         });
@@ -201,6 +201,9 @@ impl Bodies {
     }
 }
 
+/// μ and the multiplier α: a start in the solver's unknowns.
+type Unknowns = (Vec<f64>, Vec<f64>);
+
 /// The dual problem of a solve, and what its outcome is measured with.
 struct Posed {
     gap: Vec<f64>,
@@ -324,10 +327,7 @@ impl Prepared {
     }
 
     /// The start in the solver's unknowns.
-    fn start(
-        &self,
-        start: Option<&Forces>,
-    ) -> Result<Option<(Vec<f64>, Vec<f64>)>, AlgebraicError> {
+    fn start(&self, start: Option<&Forces>) -> Result<Option<Unknowns>, AlgebraicError> {
         let Some(start) = start else { return Ok(None) };
         let amounts = &start.kernel_amounts;
         if !amounts.is_empty() {

@@ -105,7 +105,13 @@ impl Builder<'_> {
     /// The fault of an item whose table stands at `span`.
     fn at(&self, span: &Span) -> impl Fn(ModelError) -> CaseError {
         move |error| {
-            CaseError::semantic(&self.file.source, span.clone(), error.to_string(), "here", "")
+            CaseError::semantic(
+                &self.file.source,
+                span.clone(),
+                error.to_string(),
+                "here",
+                "",
+            )
         }
     }
 
@@ -128,32 +134,44 @@ impl Builder<'_> {
     /// In the order that the amounts of a step are put together in: see `steps`.
     fn loads(&self, model: &mut Model) -> Result<(), CaseError> {
         let file = self.file;
-        let mut add = |name: Option<&str>, span: &Span, on: &[Surface], kind: &dyn Fn(Vec<crate::model::Surface>) -> LoadKind| {
-            let surfaces = on.iter().map(|on| model.resolve(self.reference(on)));
-            let surfaces = surfaces.collect::<Result<_, _>>().map_err(self.at(span))?;
-            model.add_load(name, kind(surfaces)).map_err(self.at(span))?;
-            Ok::<(), CaseError>(())
-        };
+        let mut add =
+            |name: Option<&str>,
+             span: &Span,
+             on: &[Surface],
+             kind: &dyn Fn(Vec<crate::model::Surface>) -> LoadKind| {
+                let surfaces = on.iter().map(|on| model.resolve(self.reference(on)));
+                let surfaces = surfaces.collect::<Result<_, _>>().map_err(self.at(span))?;
+                model
+                    .add_load(name, kind(surfaces))
+                    .map_err(self.at(span))?;
+                Ok::<(), CaseError>(())
+            };
         fn text(name: &Option<case::Spanned<String>>) -> Option<&str> {
             name.as_ref().map(|name| name.get_ref().as_str())
         }
         for item in &file.tractions {
-            add(text(&item.name), &item.span, &item.on, &|on| LoadKind::Traction {
-                on,
-                value: vector(&item.value),
+            add(text(&item.name), &item.span, &item.on, &|on| {
+                LoadKind::Traction {
+                    on,
+                    value: vector(&item.value),
+                }
             })?;
         }
         for item in &file.pressures {
-            add(text(&item.name), &item.span, &item.on, &|on| LoadKind::Pressure {
-                on,
-                value: field(item.value.get_ref()),
+            add(text(&item.name), &item.span, &item.on, &|on| {
+                LoadKind::Pressure {
+                    on,
+                    value: field(item.value.get_ref()),
+                }
             })?;
         }
         for item in &file.body_forces {
             let (bodies, value) = (&item.bodies, item.value);
-            add(text(&item.name), &item.span, &[], &|_| LoadKind::BodyForce {
-                bodies: bodies.clone(),
-                value,
+            add(text(&item.name), &item.span, &[], &|_| {
+                LoadKind::BodyForce {
+                    bodies: bodies.clone(),
+                    value,
+                }
             })?;
         }
         for item in &file.gravities {
@@ -209,7 +227,9 @@ impl Builder<'_> {
                     .collect(),
                 bounds: amounts.bounds.iter().copied().map(same).collect(),
             };
-            model.add_step(step).map_err(|error| locate(self.file, &error))?;
+            model
+                .add_step(step)
+                .map_err(|error| locate(self.file, &error))?;
         }
         Ok(())
     }

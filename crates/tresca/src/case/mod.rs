@@ -94,12 +94,17 @@ fn locate(file: &CaseFile<Settings>, error: &ModelError) -> CaseError {
             contact, source, ..
         } => {
             let (label, help) = coupling_hints(source);
-            (file.contacts[*contact].span.clone(), label.to_owned(), help.to_owned())
+            (
+                file.contacts[*contact].span.clone(),
+                label.to_owned(),
+                help.to_owned(),
+            )
         }
         ModelError::NonFiniteLoad { load, .. } => (
             load_span(file, *load),
             "its value is not a number everywhere".to_owned(),
-            "an expression such as sqrt(x) or 1/x has no value at some points of the surface".to_owned(),
+            "an expression such as sqrt(x) or 1/x has no value at some points of the surface"
+                .to_owned(),
         ),
         ModelError::NoContact => (
             0..0,
@@ -144,6 +149,9 @@ fn load_span(file: &CaseFile<Settings>, load: usize) -> case::Span {
     let pressures = file.pressures.iter().map(|item| &item.span);
     let body_forces = file.body_forces.iter().map(|item| &item.span);
     let gravities = file.gravities.iter().map(|item| &item.span);
-    let mut all = tractions.chain(pressures).chain(body_forces).chain(gravities);
+    let mut all = tractions
+        .chain(pressures)
+        .chain(body_forces)
+        .chain(gravities);
     all.nth(load).cloned().unwrap_or(0..0)
 }

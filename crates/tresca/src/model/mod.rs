@@ -190,17 +190,17 @@ impl Model {
                     self.check_components(value)?;
                 }
             }
-            LoadKind::Pressure { value, .. } => {
-                match value {
-                    Field::Constant(value) => self.check_components(&[*value, 0.0, 0.0])?,
-                    Field::Function(_) => {}
-                    Field::Values(_) => return Err(ModelError::PressureByValues),
-                }
-            }
+            LoadKind::Pressure { value, .. } => match value {
+                Field::Constant(value) => self.check_components(&[*value, 0.0, 0.0])?,
+                Field::Function(_) => {}
+                Field::Values(_) => return Err(ModelError::PressureByValues),
+            },
             LoadKind::BodyForce { value, .. } => self.check_components(value)?,
             LoadKind::Gravity { bodies, value } => {
                 self.check_components(value)?;
-                let light = bodies.iter().find(|&&body| self.bodies[body].density.is_none());
+                let light = bodies
+                    .iter()
+                    .find(|&&body| self.bodies[body].density.is_none());
                 if let Some(&body) = light {
                     return Err(ModelError::NoDensity {
                         body: self.bodies[body].name.clone(),
@@ -278,7 +278,10 @@ impl Model {
             }
         }
         if self.steps.last().is_some_and(|last| step.time <= last.time) || !step.time.is_finite() {
-            return refuse(format!("its time {} is not later than that before", step.time));
+            return refuse(format!(
+                "its time {} is not later than that before",
+                step.time
+            ));
         }
         for (support, amount) in self.supports.iter().zip(&step.supports) {
             if let Amount::Value(value) = amount
@@ -307,7 +310,8 @@ impl Model {
                 contact.friction,
                 FrictionLaw::Tresca { .. } | FrictionLaw::Bilateral { bound: Some(_) }
             );
-            let scalable = replaceable || matches!(contact.friction, FrictionLaw::Orthotropic { .. });
+            let scalable =
+                replaceable || matches!(contact.friction, FrictionLaw::Orthotropic { .. });
             let changes = *amount != Amount::Factor(1.0);
             if matches!(amount, Amount::Value(_)) && !replaceable || changes && !scalable {
                 return refuse(format!(
@@ -384,7 +388,9 @@ impl Model {
 
     /// The space that the bodies live in; [`Space::Solid`] as long as there is none.
     pub fn space(&self) -> Space {
-        self.bodies.first().map_or(Space::Solid, |body| body.mesh.space)
+        self.bodies
+            .first()
+            .map_or(Space::Solid, |body| body.mesh.space)
     }
 
     /// 2 or 3.

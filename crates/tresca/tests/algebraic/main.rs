@@ -2,3 +2,8 @@
 
 mod case_path;
 mod common;
+mod door;
+mod dual_form;
+mod files;
+mod oracle;
+mod repeated;

@@ -8,7 +8,7 @@
 //!
 //! (K. L. Johnson, Contact Mechanics, sections 4.2 and 7.2.)
 
-use super::support::{resultant, solved, variant};
+use super::support::{report, resultant, solved, variant};
 use std::f64::consts::PI;
 use tresca::{Outcome, PairState};
 
@@ -44,7 +44,11 @@ fn errors(outcome: &Outcome) -> Errors {
     let pull_of = |pair: &PairState| pair.friction_force[0];
     let moment = |force: &dyn Fn(&PairState) -> f64| -> f64 {
         let total: f64 = pairs.iter().map(|pair| force(pair)).sum();
-        pairs.iter().map(|pair| force(pair) * x(pair).powi(2)).sum::<f64>() / total
+        pairs
+            .iter()
+            .map(|pair| force(pair) * x(pair).powi(2))
+            .sum::<f64>()
+            / total
     };
     let closed = 2.0 * moment(&|pair| pair.normal_force).sqrt();
     let stick = (4.0 * moment(&pull_of) - closed * closed).sqrt();
@@ -57,7 +61,9 @@ fn errors(outcome: &Outcome) -> Errors {
     };
     let deviation = |pair: &&PairState| (pull_of(pair) - pair.pair.area * exact(x(pair))).abs();
     let sticking = pairs.iter().filter(|pair| pair.closed && pair.stick);
-    let outermost = sticking.max_by(|p, q| x(p).abs().total_cmp(&x(q).abs())).unwrap();
+    let outermost = sticking
+        .max_by(|p, q| x(p).abs().total_cmp(&x(q).abs()))
+        .unwrap();
     Errors {
         contact_width: (closed / a - 1.0).abs(),
         peak_pressure: (largest(&PairState::pressure) / peak - 1.0).abs(),
@@ -74,7 +80,10 @@ fn errors(outcome: &Outcome) -> Errors {
 #[test]
 fn stick_width_and_traction_converge_to_the_closed_form() {
     let solve = |nodes: &str| {
-        let outcome = solved(&variant("cylinder-on-flat.toml", &[("nodes = [129, 49]", nodes)]));
+        let outcome = solved(&variant(
+            "cylinder-on-flat.toml",
+            &[("nodes = [129, 49]", nodes)],
+        ));
         errors(&outcome)
     };
     let all: [Errors; 3] = [
@@ -82,16 +91,35 @@ fn stick_width_and_traction_converge_to_the_closed_form() {
         solve("nodes = [129, 49]"),
         solve("nodes = [257, 97]"),
     ];
+    for errors in &all {
+        report(&format!("Cattaneo–Mindlin: {errors:.5?}"));
+    }
     let [coarse, middle, fine] = &all;
     // Widths and peak pressure fall with h² in the mean, the peak traction, a kink, with h.
     for (name, first, last, bound) in [
-        ("contact width", coarse.contact_width, fine.contact_width, 5e-4),
-        ("peak pressure", coarse.peak_pressure, fine.peak_pressure, 5e-4),
+        (
+            "contact width",
+            coarse.contact_width,
+            fine.contact_width,
+            5e-4,
+        ),
+        (
+            "peak pressure",
+            coarse.peak_pressure,
+            fine.peak_pressure,
+            5e-4,
+        ),
         ("stick width", coarse.stick_width, fine.stick_width, 1e-3),
     ] {
         assert!(last < bound && last < 0.1 * first, "{name}: {all:#?}");
     }
-    assert!(fine.peak_traction < 0.04 && fine.peak_traction < 0.6 * coarse.peak_traction, "{all:#?}");
-    assert!(fine.traction < middle.traction && middle.traction < 0.5 * coarse.traction, "{all:#?}");
+    assert!(
+        fine.peak_traction < 0.04 && fine.peak_traction < 0.6 * coarse.peak_traction,
+        "{all:#?}"
+    );
+    assert!(
+        fine.traction < middle.traction && middle.traction < 0.5 * coarse.traction,
+        "{all:#?}"
+    );
     assert!(all.iter().all(|errors| errors.stick_edge < 1.0), "{all:#?}");
 }

@@ -15,7 +15,10 @@ fn every_case_runs_and_is_described() {
         if !name.ends_with(".toml") {
             continue;
         }
-        assert!(readme.contains(&format!("## `{name}`")), "{name} has no paragraph");
+        assert!(
+            readme.contains(&format!("## `{name}`")),
+            "{name} has no paragraph"
+        );
         let case = variant(&name, &[]);
         let outcome = run(&case, case.settings());
         if NO_EQUILIBRIUM.contains(&name.as_str()) {
@@ -24,7 +27,12 @@ fn every_case_runs_and_is_described() {
             assert_eq!(outcome.status(), Status::Converged, "{name}");
             for step in &outcome.steps {
                 let worst = step.certificate.worst();
-                assert!(worst < 1e-5, "{name}, step {}: {:#?}", step.number, step.certificate);
+                assert!(
+                    worst < 1e-5,
+                    "{name}, step {}: {:#?}",
+                    step.number,
+                    step.certificate
+                );
             }
         }
         count += 1;

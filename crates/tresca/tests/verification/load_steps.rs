@@ -40,15 +40,26 @@ fn without_friction_steps_do_not_remember() {
     let energy = |k: usize| outcome.steps[k].solution.objective;
     assert_close(energy(3), energy(1), 1e-8);
     assert_close(energy(0), 0.25 * energy(1), 1e-6);
-    assert!(outcome.steps[2].pairs().all(|pair| pair.normal_force == 0.0));
-    assert!(outcome.steps.iter().all(|step| step.dissipation().abs() < 1e-12));
+    assert!(
+        outcome.steps[2]
+            .pairs()
+            .all(|pair| pair.normal_force == 0.0)
+    );
+    assert!(
+        outcome
+            .steps
+            .iter()
+            .all(|step| step.dissipation().abs() < 1e-12)
+    );
 }
 
 /// With friction unloading leaves slip, and friction forces that no load asks for.
 #[test]
 fn with_friction_unloading_leaves_a_trace() {
     let outcome = solved(&bricks("law = \"tresca\", bound = 0.09"));
-    let trace = outcome.steps[2].pairs().map(|pair| pair.local_friction[0].abs());
+    let trace = outcome.steps[2]
+        .pairs()
+        .map(|pair| pair.local_friction[0].abs());
     assert!(trace.fold(0.0, f64::max) > 1e-4);
     for step in &outcome.steps {
         assert!(step.dissipation() >= -1e-14);
@@ -62,9 +73,9 @@ fn with_friction_unloading_leaves_a_trace() {
                     same.next().unwrap().local_slip
                 }
             };
-            for k in 0..2 {
-                let sum = before[k] + pair.local_slip_increment[k];
-                assert!((sum - pair.local_slip[k]).abs() < 1e-15);
+            let increments = before.iter().zip(pair.local_slip_increment);
+            for ((before, increment), slip) in increments.zip(pair.local_slip) {
+                assert!((before + increment - slip).abs() < 1e-15);
             }
         }
     }
@@ -74,11 +85,21 @@ fn with_friction_unloading_leaves_a_trace() {
 #[test]
 fn later_steps_are_cheaper_than_the_first() {
     let case = bricks("law = \"tresca\", bound = 0.09");
-    let condensed = settings(&case, |settings| settings.engine = tresca::Engine::Condensed);
+    let condensed = settings(&case, |settings| {
+        settings.engine = tresca::Engine::Condensed
+    });
     let outcome = solved_with(&case, &condensed);
     let work = |k: usize| outcome.steps[k].solution.n_a;
-    assert!(outcome.steps[1..].iter().all(|step| step.solution.n_a_setup == 0));
-    assert!(work(1) < work(0) && work(3) < work(0), "{:?}", [0, 1, 2, 3].map(work));
+    assert!(
+        outcome.steps[1..]
+            .iter()
+            .all(|step| step.solution.n_a_setup == 0)
+    );
+    assert!(
+        work(1) < work(0) && work(3) < work(0),
+        "{:?}",
+        [0, 1, 2, 3].map(work)
+    );
 }
 
 /// Slip bounds can be changed from step to step: twice the factor is the bound itself doubled.
@@ -88,8 +109,13 @@ fn slip_bounds_may_change() {
     let values = "\n[[step]]\nvalues = { joint = 0.18 }\n\n[solver]";
     let solve = |exchange: &[(&str, &str)]| {
         let nodes = ("nodes = [16, 16, 16]", "nodes = [7, 7, 7]");
-        let all: Vec<_> = std::iter::once(nodes).chain(exchange.iter().copied()).collect();
-        solved(&variant("two-bricks.toml", &all)).last().solution.objective
+        let all: Vec<_> = std::iter::once(nodes)
+            .chain(exchange.iter().copied())
+            .collect();
+        solved(&variant("two-bricks.toml", &all))
+            .last()
+            .solution
+            .objective
     };
     let named = ("[[contact]]\n", "[[contact]]\nname = \"joint\"\n");
     let doubled = solve(&[("bound = 0.09", "bound = 0.18")]);

@@ -6,7 +6,7 @@
 //!
 //! (Timoshenko and Goodier, Theory of Elasticity, section 28).
 
-use super::support::{assert_close, rate, resultant, solved, variant};
+use super::support::{assert_close, digits, rate, report, resultant, solved, variant};
 use std::f64::consts::PI;
 
 const RADII: [f64; 3] = [10.0, 20.0, 40.0];
@@ -15,7 +15,8 @@ const HEIGHT: f64 = 4.0;
 
 fn pressure() -> f64 {
     let [a, b, c] = RADII.map(|r| r * r);
-    let plane = |young: f64, poisson: f64| (young / (1.0 - poisson * poisson), poisson / (1.0 - poisson));
+    let plane =
+        |young: f64, poisson: f64| (young / (1.0 - poisson * poisson), poisson / (1.0 - poisson));
     let ((ei, ni), (eo, no)) = (plane(1.1e5, 0.34), plane(2.1e5, 0.3));
     let compliance = ((b + a) / (b - a) - ni) / ei + ((c + b) / (c - b) + no) / eo;
     INTERFERENCE / RADII[1] / compliance
@@ -30,7 +31,11 @@ fn axisymmetric_pressure_converges_to_lame() {
         let expected = pressure() * 2.0 * PI * RADII[1] * HEIGHT;
         // Every pair carries that pressure: nothing varies along the axis.
         for pair in outcome.last().pairs() {
-            assert_close(pair.pressure(), force / (2.0 * PI * RADII[1] * HEIGHT), 1e-9);
+            assert_close(
+                pair.pressure(),
+                force / (2.0 * PI * RADII[1] * HEIGHT),
+                1e-9,
+            );
         }
         ((force - expected) / expected).abs()
     };
@@ -39,6 +44,10 @@ fn axisymmetric_pressure_converges_to_lame() {
         error("nodes = [11, 5]", "nodes = [21, 5]"),
         error("nodes = [21, 5]", "nodes = [41, 5]"),
     ];
+    report(&format!(
+        "press fit, axisymmetric: error of the force {} for halved elements",
+        digits(&errors)
+    ));
     assert!(errors[2] < 1e-3, "{errors:?}");
     for pair in errors.windows(2) {
         assert!((rate(pair[0], pair[1]) - 2.0).abs() < 0.15, "{errors:?}");
@@ -63,6 +72,13 @@ fn a_quarter_in_plane_strain_has_the_same_pressure_and_no_friction() {
         error("nodes = [11, 25]", "nodes = [15, 25]"),
         error("nodes = [21, 49]", "nodes = [29, 49]"),
     ];
+    report(&format!(
+        "press fit, plane strain: largest error of the pressure {} for halved elements",
+        digits(&errors)
+    ));
     assert!(errors[2] < 5e-3, "{errors:?}");
-    assert!(errors[0] > 1.8 * errors[1] && errors[1] > 1.8 * errors[2], "{errors:?}");
+    assert!(
+        errors[0] > 1.8 * errors[1] && errors[1] > 1.8 * errors[2],
+        "{errors:?}"
+    );
 }

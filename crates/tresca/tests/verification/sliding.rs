@@ -1,6 +1,6 @@
 //! A block that slides as a whole: the pull is what friction allows, whatever the elasticity.
 
-use super::support::{assert_close, resultant, solved, variant};
+use super::support::{assert_close, report, resultant, solved, variant};
 
 const AREA: f64 = 40.0 * 20.0;
 const PRESSURE: f64 = 5.0;
@@ -15,6 +15,10 @@ fn coulomb_pull_is_coefficient_times_pressing_force() {
     }
     // The contact force of the slave on the master points along the pull.
     let (_, friction) = resultant(&outcome, 4, 0);
+    report(&format!(
+        "sliding block: pull / (F × pressing force) = 1 + {:.1e}",
+        friction[0] / (0.25 * PRESSURE * AREA) - 1.0
+    ));
     assert_close(friction[0], 0.25 * PRESSURE * AREA, 1e-5);
     assert!(friction[1].abs() < 1e-5 * friction[0]);
     let last = outcome.last();
@@ -41,7 +45,10 @@ fn tresca_pull_is_bound_times_area() {
 #[test]
 fn a_limit_cuts_the_coulomb_bound() {
     let law = "coefficient = 0.25 }";
-    let outcome = solved(&variant("sliding-block.toml", &[(law, "coefficient = 0.25, limit = 0.8 }")]));
+    let outcome = solved(&variant(
+        "sliding-block.toml",
+        &[(law, "coefficient = 0.25, limit = 0.8 }")],
+    ));
     let last = outcome.last();
     let (mut cut, mut total) = (0, 0.0);
     for pair in last.pairs() {
@@ -51,7 +58,10 @@ fn a_limit_cuts_the_coulomb_bound() {
         let [a, b] = pair.local_friction;
         assert!((a.hypot(b) - expected).abs() < 1e-5 * PRESSURE * pair.pair.area);
     }
-    assert!(cut > 0 && cut < last.pairs().count(), "{cut} pairs at the limit");
+    assert!(
+        cut > 0 && cut < last.pairs().count(),
+        "{cut} pairs at the limit"
+    );
     let (_, friction) = resultant(&outcome, 4, 0);
     assert!(friction[0] < 0.25 * PRESSURE * AREA && friction[0] > 0.9 * total);
 }

@@ -55,6 +55,18 @@ pub fn settings(case: &Case, change: impl FnOnce(&mut Settings)) -> Settings {
     settings
 }
 
+/// A figure for `docs/verification.md`, seen with `-- --nocapture`.
+#[expect(clippy::print_stdout, reason = "tests report, libraries do not")]
+pub fn report(line: &str) {
+    println!("    {line}");
+}
+
+/// Numbers with two digits.
+pub fn digits(values: &[f64]) -> String {
+    let texts: Vec<String> = values.iter().map(|value| format!("{value:.1e}")).collect();
+    texts.join(", ")
+}
+
 #[track_caller]
 pub fn assert_close(found: f64, expected: f64, relative: f64) {
     assert!(

@@ -24,29 +24,56 @@ fn glued_bricks_are_one_brick() {
     };
     let material = tresca::material::Isotropic::new(5.0e4, 0.35).unwrap();
     let surface = |body, faces| SurfaceRef { body, faces };
-    model.add_body("whole", block(0.0, 2.0, 13), material).unwrap();
-    model.add_body("other", block(-1.0, 0.0, 2), material).unwrap();
-    model.clamp(surface("whole", "z-")).unwrap().clamp(surface("other", "z-")).unwrap();
-    model.add_traction(&[surface("whole", "z+")], [0.0, 0.0, -1.0]).unwrap();
+    model
+        .add_body("whole", block(0.0, 2.0, 13), material)
+        .unwrap();
+    model
+        .add_body("other", block(-1.0, 0.0, 2), material)
+        .unwrap();
+    model
+        .clamp(surface("whole", "z-"))
+        .unwrap()
+        .clamp(surface("other", "z-"))
+        .unwrap();
+    model
+        .add_traction(&[surface("whole", "z+")], [0.0, 0.0, -1.0])
+        .unwrap();
     // The side x = 0 is loaded on its upper half only: by nodal forces through a function.
     let on = vec![model.resolve(surface("whole", "x-")).unwrap()];
     let value = tresca::model::VectorField::Function(std::sync::Arc::new(|[_, _, z]| {
         [0.0, 0.0, if z > 1.0 { -1.0 } else { 0.0 }]
     }));
-    model.add_load(None, tresca::model::LoadKind::Traction { on, value }).unwrap();
     model
-        .add_contact(surface("whole", "z-"), surface("other", "z+"), tresca::FrictionLaw::Frictionless)
+        .add_load(None, tresca::model::LoadKind::Traction { on, value })
         .unwrap();
-    let Run::Finished(whole) = tresca::solve(&model, &Settings::default(), &mut Silent).unwrap() else {
+    model
+        .add_contact(
+            surface("whole", "z-"),
+            surface("other", "z+"),
+            tresca::FrictionLaw::Frictionless,
+        )
+        .unwrap();
+    let Run::Finished(whole) = tresca::solve(&model, &Settings::default(), &mut Silent).unwrap()
+    else {
         unreachable!("nobody stops this run")
     };
-    let (upper, lower) = (&glued.last().displacements[0], &glued.last().displacements[1]);
+    let (upper, lower) = (
+        &glued.last().displacements[0],
+        &glued.last().displacements[1],
+    );
     let one = &whole.last().displacements[0];
     let layer = 3 * 49;
     let largest = one.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
     for (k, expected) in one.iter().enumerate() {
-        let found = if k < 6 * layer { lower[k] } else { upper[k - 6 * layer] };
-        assert!((found - expected).abs() < 1e-6 * largest, "dof {k}: {found} instead of {expected}");
+        let found = if k < 6 * layer {
+            lower[k]
+        } else {
+            upper[k - 6 * layer]
+        };
+        assert!(
+            (found - expected).abs() < 1e-6 * largest,
+            "dof {k}: {found} instead of {expected}"
+        );
     }
 }
 
@@ -63,7 +90,10 @@ fn a_bilateral_joint_transmits_what_its_bound_allows() {
         let outcome = solved(&variant("glued-beam.toml", &[(own, law)]));
         let deflection = tip_deflection(&outcome);
         for pair in &outcome.last().contacts[1] {
-            assert!(pair.closed && pair.gap.abs() < 1e-7 * deflection, "it never opens");
+            assert!(
+                pair.closed && pair.gap.abs() < 1e-7 * deflection,
+                "it never opens"
+            );
         }
         for pair in &outcome.last().contacts[0] {
             let slips = pair.local_slip.iter().any(|s| s.abs() > 1e-7 * deflection);
@@ -74,7 +104,10 @@ fn a_bilateral_joint_transmits_what_its_bound_allows() {
     let loose = solve("law = \"bilateral\"");
     let partly = solve("law = \"bilateral\", bound = \"0.2 + 0.01*x\"");
     let glued = solve("law = \"tied\"");
-    assert!(glued < 0.95 * partly && partly < 0.95 * loose, "{glued} {partly} {loose}");
+    assert!(
+        glued < 0.95 * partly && partly < 0.95 * loose,
+        "{glued} {partly} {loose}"
+    );
     // Layers of 4 and 2 side by side against one of 6: 216/(64 + 8) = 3 in bending stiffness, less
     // what clamp and shear add.
     let ratio = loose / glued;
@@ -90,5 +123,9 @@ fn joints_that_never_open_pull() {
         pairs.filter(|pair| pair.normal_force < 0.0).count()
     };
     assert!(pulls(0) > 0 && pulls(1) > 0);
-    assert_close(outcome.last().certificate.bodies[0].load[2], -2.0 * 8.0 * 2.0, 1e-12);
+    assert_close(
+        outcome.last().certificate.bodies[0].load[2],
+        -2.0 * 8.0 * 2.0,
+        1e-12,
+    );
 }

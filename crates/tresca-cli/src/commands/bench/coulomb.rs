@@ -8,8 +8,13 @@ use crate::args::{CoulombArguments, use_threads};
 
 pub fn run(arguments: &CoulombArguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
-    println!("Two bricks, Coulomb friction, condensed engine, GRSSN from a zero start, tolerance {:.0e}.", arguments.tolerance);
-    println!("n_A counts all multiplications by A but those for the estimate of σmax. Tresca: the same");
+    println!(
+        "Two bricks, Coulomb friction, condensed engine, GRSSN from a zero start, tolerance {:.0e}.",
+        arguments.tolerance
+    );
+    println!(
+        "n_A counts all multiplications by A but those for the estimate of σmax. Tresca: the same"
+    );
     println!("problem with the final bounds frozen. difference: ‖λ − λ'‖/‖λ‖ of the two variants.");
     let mut all_converged = true;
     for &s in &arguments.sizes {
@@ -85,6 +90,5 @@ fn solve(model: &Model, settings: &Settings) -> miette::Result<Outcome> {
 fn difference(a: &Outcome, b: &Outcome) -> f64 {
     let (a, b) = (&a.last().solution.lambda, &b.last().solution.lambda);
     let norm = |squares: &mut dyn Iterator<Item = f64>| squares.sum::<f64>().sqrt();
-    norm(&mut a.iter().zip(b).map(|(a, b)| (a - b).powi(2)))
-        / norm(&mut b.iter().map(|b| b * b))
+    norm(&mut a.iter().zip(b).map(|(a, b)| (a - b).powi(2))) / norm(&mut b.iter().map(|b| b * b))
 }
