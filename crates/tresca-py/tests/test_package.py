@@ -3,6 +3,7 @@
 import inspect
 import subprocess
 import sys
+from typing import get_args, get_type_hints
 
 import pytest
 import tresca
@@ -12,6 +13,11 @@ def test_options_are_typed_as_they_are_declared():
     options = tresca.options()
     assert set(tresca.Options.__annotations__) == {option.name for option in options}
     assert all(option.doc and option.default and option.allowed for option in options)
+    hints = get_type_hints(tresca.Options)
+    for option in options:
+        choices = [choice for part in get_args(hints[option.name]) for choice in get_args(part)]
+        if option.default.startswith('"'):
+            assert choices == option.allowed.split(" | "), option.name
     defaults = {option.name: option.default for option in options}
     assert defaults["method"] == '"grssn"' and float(defaults["tolerance"]) == 1e-8
 
@@ -42,3 +48,9 @@ def test_types(command, tmp_path):
         [sys.executable, "-m", *command], cwd=tmp_path, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_figures_of_the_certificate_are_documented():
+    figures = tresca.solve([[1.0]], [1.0], [[1.0]]).certificate
+    for name in [*figures, "force_balance", "moment_balance"]:
+        assert f"``{name}``" in tresca.Certificate.__doc__

@@ -42,7 +42,7 @@ class Options(TypedDict, total=False):
     inner_solver: Literal["auto", "iterative", "direct"] | None
     forcing: float | None
     recycled_directions: int | None
-    coulomb: str | None
+    coulomb: Literal["auto", "fixed_point", "in_loop"] | None
     coulomb_tolerance: float | None
     max_outer_iterations: int | None
     engine: Literal["auto", "factored", "condensed", "explicit"] | None

@@ -35,8 +35,12 @@ class Certificate(dict[str, float]):
         Largest excess of a friction force over its bound, over the largest bound.
     ``slip_law``
         How far slipping pairs are from the direction and the bound that their law asks for, as an energy.
+    ``negative_dissipation``
+        Work that friction puts in instead of taking out, over the elastic energy.
     ``duality_gap``
         Primal less dual energy, over the elastic energy.
+    ``force_balance``, ``moment_balance``
+        Of cases only: loads, contact forces and reactions of a body must cancel; the worst body.
     """
 
     @property
@@ -153,8 +157,10 @@ def table(columns: Mapping[str, npt.NDArray[Any]]) -> npt.NDArray[np.void]:
 
 def certificate(figures: Mapping[str, Any]) -> Certificate:
     """A certificate from the figures of a summary; what is no finite number arrives as None."""
-    numbers = {name: value for name, value in figures.items() if not isinstance(value, list)}
-    return Certificate({name: np.nan if value is None else value for name, value in numbers.items()})
+    result = Certificate({name: number(value) for name, value in figures.items() if name != "bodies"})
+    for balance in ("force", "moment") if figures["bodies"] else ():
+        result[f"{balance}_balance"] = float(np.max([number(body[balance]) for body in figures["bodies"]]))
+    return result
 
 
 def number(value: float | None) -> float:
