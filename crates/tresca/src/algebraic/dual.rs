@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use rayon::prelude::*;
 use tresca_contact::Mobility;
 use tresca_la::PackedLower;
 use tresca_la::vector::{dot, norm};
@@ -47,30 +48,22 @@ impl Operator {
     /// # Errors
     /// When there are not order² values, one is not finite, or A is not symmetric.
     pub fn dense(order: usize, values: &[f64]) -> Result<Self, AlgebraicError> {
-        check::vector("A", values, order * order, "order × order")?;
-        let scale = largest(values);
-        let mut matrix = PackedLower::zeros(order);
-        let mut worst = (0.0, 0, 0);
-        // Tile by tile: the entries above the diagonal are read along columns, and a column of a large A is a
-        // new page for each entry.
-        for (first, left) in tiles(order) {
-            for i in first..order.min(first + TILE) {
-                for j in left..(i + 1).min(left + TILE) {
-                    let (below, above) = (values[order * i + j], values[order * j + i]);
-                    let difference = (below - above).abs();
-                    if difference > worst.0 {
-                        worst = (difference, i, j);
-                    }
-                    let mean = if below == above {
-                        below
-                    } else {
-                        0.5 * below + 0.5 * above
-                    };
-                    matrix.set(i, j, mean);
-                }
-            }
+        if values.len() != order * order || !values.par_iter().all(|value| value.is_finite()) {
+            check::vector("A", values, order * order, "order × order")?;
         }
-        let (difference, row, column) = worst;
+        let scale = values
+            .par_iter()
+            .map(|value| value.abs())
+            .reduce(|| 0.0, f64::max);
+        let matrix = PackedLower::from_fn(order, |i, j| {
+            let (below, above) = (values[order * i + j], values[order * j + i]);
+            if below == above {
+                below
+            } else {
+                0.5 * below + 0.5 * above
+            }
+        });
+        let (difference, row, column) = most_asymmetric(order, values);
         let asymmetry = if scale > 0.0 { difference / scale } else { 0.0 };
         if asymmetry > ALLOWED_ASYMMETRY {
             return Err(AlgebraicError::DualNotSymmetric {
@@ -263,13 +256,38 @@ pub fn solve_dual(
     Ok(outcome)
 }
 
-/// Side of a tile: two of them fit into the first cache.
-const TILE: usize = 32;
+/// Rows that are compared together: as many entries of a column as fit into the first cache.
+const ROWS: usize = 32;
 
-/// The first row and column of the tiles on and below the diagonal.
-fn tiles(order: usize) -> impl Iterator<Item = (usize, usize)> {
-    let firsts = (0..order).step_by(TILE);
-    firsts.flat_map(|first| (0..=first).step_by(TILE).map(move |left| (first, left)))
+/// The largest |A_ij − A_ji| and where it is, the first of several.
+fn most_asymmetric(order: usize, values: &[f64]) -> (f64, usize, usize) {
+    let first_of_larger = |a: (f64, usize, usize), b: (f64, usize, usize)| {
+        if b.0 > a.0 || b.0 == a.0 && (b.1, b.2) < (a.1, a.2) {
+            b
+        } else {
+            a
+        }
+    };
+    let in_rows = |first: usize| {
+        let rows = first..order.min(first + ROWS);
+        let mut worst = (0.0, 0, 0);
+        // Along a row of the part above the diagonal, for all rows of the block below at once.
+        for j in 0..rows.end {
+            let above = &values[order * j..order * (j + 1)];
+            for i in rows.clone().filter(|&i| i > j) {
+                let difference = (values[order * i + j] - above[i]).abs();
+                if difference > 0.0 {
+                    worst = first_of_larger(worst, (difference, i, j));
+                }
+            }
+        }
+        worst
+    };
+    (0..order)
+        .into_par_iter()
+        .step_by(ROWS)
+        .map(in_rows)
+        .reduce(|| (0.0, 0, 0), first_of_larger)
 }
 
 /// diag(w) A diag(w).
