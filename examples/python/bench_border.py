@@ -86,7 +86,8 @@ def main() -> None:
         _, what, figures = min(runs, key=lambda run: run[2][0])
         share = report(what, *figures)
         times = ", ".join(f"{name} {seconds:.3f}" for name, seconds in figures[2].times.items())
-        print(f"{'':<18}{times}")
+        before = figures[0] - figures[2].times["total"]
+        print(f"{'':<18}taking A in and results out {before:.3f} s; then {times}")
         if share > LIMIT:
             print(f"{'':<18}more than {LIMIT:.0%}")
 
