@@ -32,7 +32,10 @@ pub enum FclibError {
     },
     /// HDF5 in a program that cannot read it.
     #[error("`{}` is an HDF5 file, and this program was built without HDF5", path.display())]
-    #[diagnostic(code(fclib::without_hdf5), help("build with the feature `fclib`, which the program has by default"))]
+    #[diagnostic(
+        code(fclib::without_hdf5),
+        help("build with the feature `fclib`, which the program has by default")
+    )]
     WithoutHdf5 {
         /// The file.
         path: PathBuf,
