@@ -1,14 +1,12 @@
 //! Patches of neighbouring pairs without any geometry: neighbours in the graph of K.
 
-use std::collections::VecDeque;
-
 use tresca_qcqp::operator::groups;
 
 use super::Matrix;
 use crate::dual::PAIRS_PER_PATCH;
 
 /// The unknowns in patches, for the local model of A: by the points of the pairs where these are known, by
-/// distances in the graph of K else.
+/// the graph of K else.
 pub(super) fn patches(
     k: &Matrix,
     b: &Matrix,
@@ -18,7 +16,7 @@ pub(super) fn patches(
     let pairs = b.rows() / dimension;
     let patches = match points {
         Some(points) => groups::neighbours(points, PAIRS_PER_PATCH),
-        None => groups::neighbours(&coordinates(&neighbours(k, b, pairs)), PAIRS_PER_PATCH),
+        None => grown(&neighbours(k, b, pairs), PAIRS_PER_PATCH),
     };
     groups::unknowns_of_pairs(&patches, dimension)
 }
@@ -58,59 +56,44 @@ fn neighbours(k: &Matrix, b: &Matrix, pairs: usize) -> Vec<Vec<usize>> {
     (0..pairs).map(of_pair).collect()
 }
 
-/// Coordinates in which neighbours are near: the numbers of steps from three pairs that lie far apart.
-/// What is not connected lies far away.
-fn coordinates(neighbours: &[Vec<usize>]) -> Vec<[f64; 3]> {
-    let count = neighbours.len();
-    let mut points = vec![[f64::NAN; 3]; count];
-    let far = 2.0 * count as f64;
-    let mut part = 0.0;
-    for start in 0..count {
-        if !points[start][0].is_nan() {
-            continue;
-        }
-        if neighbours[start].is_empty() {
-            points[start] = [part * far, 0.0, 0.0];
-            part += 1.0;
-            continue;
-        }
-        let from_start = steps(neighbours, start);
-        let farthest = |distance: &dyn Fn(usize) -> usize| {
-            let reached = (0..count).filter(|&pair| from_start[pair] != usize::MAX);
-            // The first of the farthest.
-            reached.fold(start, |best, pair| {
-                if distance(pair) > distance(best) {
-                    pair
-                } else {
-                    best
+/// Compact groups of at most `largest` neighbours, grown one by one: from a pair at the edge of what is
+/// left, always by the pair that most of the group are neighbours of.
+fn grown(neighbours: &[Vec<usize>], largest: usize) -> Vec<Vec<usize>> {
+    // How many neighbours of each pair are in no group yet.
+    let mut free: Vec<usize> = neighbours.iter().map(Vec::len).collect();
+    let mut taken = vec![false; neighbours.len()];
+    // Links of a candidate to the group that grows; 0 of all others.
+    let mut links = vec![0_usize; neighbours.len()];
+    let mut groups = Vec::new();
+    while let Some(seed) = (0..taken.len())
+        .filter(|&i| !taken[i])
+        .min_by_key(|&i| (free[i], i))
+    {
+        let mut group = Vec::with_capacity(largest);
+        let mut candidates = vec![seed];
+        while group.len() < largest {
+            // Few neighbours left: a pair that would be left behind alone.
+            let rank = |&i: &usize| (links[i], std::cmp::Reverse((free[i], i)));
+            let Some(at) = (0..candidates.len()).max_by_key(|&at| rank(&candidates[at])) else {
+                break;
+            };
+            let pair = candidates.swap_remove(at);
+            taken[pair] = true;
+            group.push(pair);
+            for &other in &neighbours[pair] {
+                free[other] -= 1;
+                if !taken[other] {
+                    if links[other] == 0 {
+                        candidates.push(other);
+                    }
+                    links[other] += 1;
                 }
-            })
-        };
-        let a = steps(neighbours, farthest(&|pair| from_start[pair]));
-        let b = steps(neighbours, farthest(&|pair| a[pair]));
-        let c = steps(neighbours, farthest(&|pair| a[pair].min(b[pair])));
-        for pair in (0..count).filter(|&pair| from_start[pair] != usize::MAX) {
-            points[pair] = [part * far + a[pair] as f64, b[pair] as f64, c[pair] as f64];
-        }
-        part += 1.0;
-    }
-    points
-}
-
-/// Steps from a pair to every other; `usize::MAX` where there is no way.
-fn steps(neighbours: &[Vec<usize>], start: usize) -> Vec<usize> {
-    let mut steps = vec![usize::MAX; neighbours.len()];
-    steps[start] = 0;
-    let mut queue = VecDeque::from([start]);
-    while let Some(pair) = queue.pop_front() {
-        for &other in &neighbours[pair] {
-            if steps[other] == usize::MAX {
-                steps[other] = steps[pair] + 1;
-                queue.push_back(other);
             }
         }
+        candidates.into_iter().for_each(|i| links[i] = 0);
+        groups.push(group);
     }
-    steps
+    groups
 }
 
 #[cfg(test)]
@@ -131,8 +114,12 @@ mod tests {
                     .collect()
             })
             .collect();
-        let patches = groups::neighbours(&coordinates(&neighbours), PAIRS_PER_PATCH);
-        assert_eq!(patches.iter().map(Vec::len).sum::<usize>(), width * height);
+        let patches = grown(&neighbours, PAIRS_PER_PATCH);
+        let mut all = patches.concat();
+        all.sort_unstable();
+        assert_eq!(all, (0..width * height).collect::<Vec<_>>());
+        assert!(patches.len() < 2 * width * height / PAIRS_PER_PATCH);
+        assert_eq!(grown(&[vec![], vec![2], vec![1]], 1).len(), 3);
         for patch in patches {
             let side = |value: &dyn Fn(usize) -> usize| {
                 let values = patch.iter().map(|&i| value(i));
@@ -140,7 +127,7 @@ mod tests {
             };
             let (x, y) = (side(&|i| i % width), side(&|i| i / width));
             assert!(
-                x < 12 && y < 12,
+                x < 10 && y < 10,
                 "a patch of {} pairs spans {x} × {y}",
                 patch.len()
             );

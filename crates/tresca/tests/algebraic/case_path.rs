@@ -40,7 +40,7 @@ fn two_bricks_are_the_same_by_every_engine() {
         Engine::Condensed,
         Engine::Explicit,
     ] {
-        for points in [points.clone(), None] {
+        let counts = [points.clone(), None].map(|points| {
             problem.points = points;
             let settings = Settings { engine, ..tight() };
             let solution = algebraic::solve(&problem, &settings, &mut Silent).unwrap();
@@ -52,7 +52,10 @@ fn two_bricks_are_the_same_by_every_engine() {
                 "{:?}",
                 solution.certificate
             );
-        }
+            solution.n_a
+        });
+        // Patches by the graph of K are about as good as those by the places of the pairs.
+        assert!(4 * counts[1] <= 5 * counts[0], "{engine}: {counts:?}");
     }
 }
 
