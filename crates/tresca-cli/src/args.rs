@@ -18,11 +18,13 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Solve a case file; write fields, history and summary.
+    /// Solve a case file, or a problem given as matrices (our own files, FCLIB, Siconos); write fields, history and summary.
     ///
     /// Exit code 0: converged. 1: not converged or interrupted; the results are written and
     /// marked. 2: wrong input; nothing is written. 130: interrupted before there was a result.
     Solve(SolveArguments),
+    /// Write the assembled matrices of a case: K by bodies, N, T, load, gaps, friction.
+    Export(ExportArguments),
     /// Reproduce published experiments.
     Bench(BenchArguments),
     /// List every solver option with its meaning, default and range.
@@ -31,11 +33,19 @@ pub enum Command {
 
 #[derive(Debug, Args)]
 pub struct SolveArguments {
-    /// The case file (TOML; see docs/case-file.md).
+    /// The case file (TOML; see docs/case-file.md), or matrices: an .npz archive or a directory of
+    /// Matrix Market files (see docs/problem-files.md), a problem of FCLIB (.hdf5, .h5) or Siconos (.dat;
+    /// see docs/fclib.md).
     pub case: PathBuf,
     /// Directory for the results (default: `out/` and the case's name).
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Problems of FCLIB and Siconos: the law of friction (default: coulomb, as they are posed).
+    #[arg(long, value_name = "LAW")]
+    pub law: Option<Law>,
+    /// With `--law tresca`: the slip bound of every contact, a force.
+    #[arg(long, value_name = "FORCE", allow_negative_numbers = true)]
+    pub bound: Option<f64>,
     #[command(flatten)]
     pub solver: SolverArguments,
     /// Number of threads (default: all processors).
@@ -47,6 +57,29 @@ pub struct SolveArguments {
     /// Print the settings, the choice of the engine and the cost of the factorisation, too.
     #[arg(short, long)]
     pub verbose: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Law {
+    /// The bound is the coefficient of friction times the normal force.
+    Coulomb,
+    /// The bound is given.
+    Tresca,
+}
+
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// The case file (TOML; see docs/case-file.md).
+    pub case: PathBuf,
+    /// Where to: `<name>.npz` for a NumPy archive, `.hdf5` or `.h5` for FCLIB, `.dat` for the text of
+    /// Siconos (both of them W, q and μ, for Coulomb friction or none), else a directory for Matrix Market
+    /// files.
+    #[arg(long, value_name = "PATH")]
+    pub to: PathBuf,
+    /// Number of the load step, from 1; needed when the case has several. The slip of the steps before is
+    /// not known and taken as zero.
+    #[arg(long, value_name = "N")]
+    pub step: Option<NonZeroUsize>,
 }
 
 /// Options that override those of the case file.

@@ -79,6 +79,22 @@ pub enum WriteError {
         points: usize,
     },
 
+    /// A frictional contact problem whose parts do not fit together.
+    #[error("the problem cannot be written: `{part}` {defect}")]
+    #[diagnostic(code(write::problem))]
+    Problem {
+        /// The part, by its name in FCLIB.
+        part: String,
+        /// What is wrong with it.
+        #[source]
+        defect: crate::fclib::Defect,
+    },
+
+    /// A file that HDF5 cannot hold.
+    #[error("cannot be written as HDF5: {0}")]
+    #[diagnostic(code(write::hdf5))]
+    Hdf5(Box<dyn std::error::Error + Send + Sync>),
+
     /// The summary cannot be expressed in JSON, for instance because a key of a map is no text.
     #[error("the summary cannot be written as JSON")]
     #[diagnostic(code(write::json))]

@@ -5,6 +5,8 @@
 //! |---|---|
 //! | [`case`] | reads and checks a case file |
 //! | [`expression`] | formulas in x, y, z |
+//! | [`fclib`] | frictional contact problems of the Siconos group |
+//! | [`problem`] | contact problems as matrices: `.npz` archives, Matrix Market folders |
 //! | [`atomic`] | sets of files that appear together or not at all |
 //! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
 //! | [`results`] | the fields of a solved case and their names |
@@ -15,8 +17,10 @@ pub mod atomic;
 pub mod case;
 mod error;
 pub mod expression;
+pub mod fclib;
 pub mod history;
 mod names;
+pub mod problem;
 pub mod pvd;
 pub mod results;
 pub mod summary;

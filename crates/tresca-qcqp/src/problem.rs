@@ -91,6 +91,15 @@ impl DualProblem {
         Ok(())
     }
 
+    /// Other bounds that follow from normal forces.
+    ///
+    /// # Errors
+    /// As [`with_coulomb`](Self::with_coulomb).
+    pub fn set_coulomb(&mut self, bounds: Vec<CoulombBound>) -> Result<(), QcqpError> {
+        self.law = CoulombLaw::new(bounds, &self.set)?;
+        Ok(())
+    }
+
     /// Another e. Without an equality constraint nothing happens.
     ///
     /// # Errors

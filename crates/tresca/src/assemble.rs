@@ -10,6 +10,7 @@ use tresca_la::SymmetricMatrix;
 use tresca_qcqp::operator::Coupling;
 
 use crate::ModelError;
+use crate::elastic::ElasticBody;
 use crate::floating::{Floating, floating};
 use crate::layout::Layout;
 use crate::model::{Model, Surface};
@@ -44,6 +45,26 @@ pub struct Assembled {
 }
 
 impl Assembled {
+    /// The bodies as the dual problem sees them.
+    pub(crate) fn elastic(&self) -> Vec<ElasticBody<'_>> {
+        let view = |body| {
+            let BodySystem {
+                stiffness,
+                floating,
+                trailing_dofs,
+                coupling,
+                ..
+            }: &BodySystem = body;
+            ElasticBody {
+                stiffness,
+                grounding: floating.as_ref().map(|floating| &floating.grounding),
+                trailing: trailing_dofs,
+                coupling,
+            }
+        };
+        self.bodies.iter().map(view).collect()
+    }
+
     /// m, the number of contact pairs.
     pub fn pair_count(&self) -> usize {
         self.layout.pair_count()
@@ -129,9 +150,11 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         .contacts()
         .iter()
         .map(|contact| contact.friction.opening());
-    let pairs = openings
-        .zip(&contacts)
-        .flat_map(|(opening, data)| data.pairs.iter().map(move |pair| (opening, pair)));
+    let pairs = openings.zip(&contacts).flat_map(|(opening, data)| {
+        data.pairs
+            .iter()
+            .map(move |pair| (opening, pair.mobility, pair.sliding))
+    });
     let layout = Layout::new(model.dimension(), pairs);
 
     let bodies = dof_maps

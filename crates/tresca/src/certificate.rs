@@ -7,12 +7,14 @@ use serde::Serialize;
 use tresca_fem::FemError;
 use tresca_fem::assembly::internal_forces;
 use tresca_fem::loads::{Resultant, resultant};
-use tresca_la::vector::{dot, norm};
+use tresca_la::vector::norm;
 
 use crate::ModelError;
 use crate::assemble::Assembled;
-use crate::ellipse::Ellipse;
 use crate::load_step::Acting;
+use crate::measures::{
+    ElasticSums, Interface, Pairs, ROUNDING_OF_FORCES, certificate, largest, scale,
+};
 use crate::model::Model;
 
 /// How far a pair (u, λ) is from solving the contact problem (docs/theory.md, "The contact problem").
@@ -107,36 +109,6 @@ pub struct Candidate<'a> {
     pub load_energy: f64,
 }
 
-/// What the bodies say: energies and the residual of equilibrium.
-struct Elastic {
-    /// ‖Ku + Bᵀλ − f‖ relative to the forces that balance.
-    residual: f64,
-    /// uᵀKu.
-    strain_work: f64,
-    /// fᵀu.
-    load_work: f64,
-    /// The energy that others are compared with: ½uᵀKu, unless that is rounding.
-    energy: f64,
-}
-
-/// A body that has moved without strain has forces and an energy all the same, from rounding in Ku. What
-/// is below these parts of diag(K)u, and of uᵀdiag(K)u, is no figure to compare with.
-const ROUNDING_OF_FORCES: f64 = 1e-6;
-const ROUNDING_OF_ENERGY: f64 = 1e-10;
-
-/// What the pairs say.
-#[derive(Default)]
-struct Interface {
-    penetration: f64,
-    adhesion: f64,
-    complementarity: f64,
-    cone: f64,
-    slip_law: f64,
-    negative_work: f64,
-    friction_work: f64,
-    largest_bound: f64,
-}
-
 /// Certifies a candidate solution.
 ///
 /// # Errors
@@ -146,53 +118,8 @@ pub fn certify(
     assembled: &Assembled,
     candidate: &Candidate<'_>,
 ) -> Result<Certificate, ModelError> {
-    let Elastic {
-        residual,
-        strain_work,
-        load_work,
-        energy,
-    } = elastic(assembled, candidate);
-    let interface = interface(assembled, candidate);
-    let largest = |values: &[f64]| values.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
-    let displacements = candidate.displacements.iter().map(|u| largest(u));
-    let gaps = assembled.pairs().map(|pair| pair.gap.abs());
-    let length = displacements.chain(gaps).fold(0.0, f64::max);
-    let normal = &candidate.lambda[..assembled.pair_count()];
-    let cone_scale = if interface.largest_bound > 0.0 {
-        interface.largest_bound
-    } else {
-        largest(candidate.lambda)
-    };
-    let primal = 0.5 * strain_work - load_work + interface.friction_work;
-    let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
-    Ok(Certificate {
-        equilibrium: residual,
-        penetration: interface.penetration / scale(length),
-        normal_force_sign: interface.adhesion / scale(largest(normal)),
-        complementarity: interface.complementarity / energy,
-        cone_violation: interface.cone / scale(cone_scale),
-        slip_law: interface.slip_law / energy,
-        negative_dissipation: interface.negative_work / energy,
-        duality_gap: (primal - dual) / energy,
-        bodies: model
-            .bodies()
-            .iter()
-            .enumerate()
-            .map(|(index, body)| {
-                balance(model, assembled, candidate, index).map_err(|source| ModelError::Body {
-                    body: body.name.clone(),
-                    source,
-                })
-            })
-            .collect::<Result<_, _>>()?,
-    })
-}
-
-fn elastic(assembled: &Assembled, candidate: &Candidate<'_>) -> Elastic {
-    let (mut residual, mut strain_work, mut load_work) = (0.0, 0.0, 0.0);
-    // Squared norms of f, Bᵀλ, Ku and diag(K)u; uᵀdiag(K)u.
-    let mut squares = [0.0; 4];
-    let mut rigid_work = 0.0;
+    let layout = &assembled.layout;
+    let mut elastic = ElasticSums::default();
     for (index, system) in assembled.bodies.iter().enumerate() {
         let u = system.dofs.restrict(&candidate.displacements[index]);
         let f = &candidate.acting.free_loads[index];
@@ -201,75 +128,30 @@ fn elastic(assembled: &Assembled, candidate: &Candidate<'_>) -> Elastic {
             .restrict(&assembled.contact_forces(index, candidate.lambda));
         let mut internal = vec![0.0; u.len()];
         system.stiffness.mul(&u, &mut internal);
-        strain_work += dot(&u, &internal);
-        load_work += dot(&u, f);
-        let mut rigid = system.stiffness.diagonal();
-        rigid.iter_mut().zip(&u).for_each(|(k, u)| *k *= u);
-        rigid_work += dot(&u, &rigid);
-        for (square, forces) in squares.iter_mut().zip([f, &contact, &internal, &rigid]) {
-            *square += dot(forces, forces);
-        }
-        for ((k, c), f) in internal.iter().zip(&contact).zip(f) {
-            residual += (k - c - f).powi(2);
-        }
+        elastic.add(&u, f, &contact, &internal, &system.stiffness.diagonal());
     }
-    let [load, contact, internal, rigid] = squares.map(f64::sqrt);
-    let forces = load
-        .max(contact)
-        .max(internal)
-        .max(ROUNDING_OF_FORCES * rigid);
-    Elastic {
-        residual: residual.sqrt() / scale(forces),
-        strain_work,
-        load_work,
-        energy: scale(f64::max(
-            0.5 * strain_work,
-            0.5 * ROUNDING_OF_ENERGY * rigid_work,
-        )),
-    }
-}
-
-fn interface(assembled: &Assembled, candidate: &Candidate<'_>) -> Interface {
-    let lambda = candidate.lambda;
-    let relative = assembled.relative(candidate.displacements);
-    let layout = &assembled.layout;
-    let mut sum = Interface::default();
-    for (i, pair) in assembled.pairs().enumerate() {
-        let overlap = relative[i] - pair.gap;
-        sum.complementarity += (lambda[i] * overlap).abs();
-        if !pair.mobility.normal {
-            // Supports alone decide about this gap.
-        } else if layout.never_opens(i) {
-            sum.penetration = sum.penetration.max(overlap.abs());
-        } else {
-            sum.penetration = sum.penetration.max(overlap);
-            sum.adhesion = sum.adhesion.max(-lambda[i]);
-        }
-        let force = layout.tangential(lambda, i);
-        let (now, before) = (
-            layout.tangential(&relative, i),
-            layout.tangential(candidate.previous, i),
-        );
-        let Some(bounds) = candidate.acting.slidings[i].bounds(lambda[i]) else {
-            sum.penetration = sum.penetration.max(norm(&now));
-            continue;
-        };
-        let slip = [now[0] - before[0], now[1] - before[1]];
-        let ellipse = Ellipse(bounds);
-        let work = ellipse.support(slip);
-        sum.cone = sum.cone.max(ellipse.excess(force));
-        let dissipated = dot(&force, &slip);
-        sum.slip_law += (work - dissipated).abs();
-        sum.negative_work += f64::max(-dissipated, 0.0);
-        sum.friction_work += work;
-        sum.largest_bound = sum.largest_bound.max(ellipse.largest());
-    }
-    sum
-}
-
-/// A scale that a figure may be divided by: 1 for a problem in which nothing happens.
-fn scale(value: f64) -> f64 {
-    if value > 0.0 { value } else { 1.0 }
+    let gaps: Vec<f64> = assembled.pairs().map(|pair| pair.gap).collect();
+    let interface = Interface::new(&Pairs {
+        layout,
+        gaps: &gaps,
+        slidings: &candidate.acting.slidings,
+        lambda: candidate.lambda,
+        relative: &assembled.relative(candidate.displacements),
+        previous: candidate.previous,
+    });
+    let displacements = candidate.displacements.iter().map(|u| largest(u));
+    let length = displacements.chain([largest(&gaps)]).fold(0.0, f64::max);
+    let dual = -candidate.dual_objective - 0.5 * candidate.load_energy;
+    let bodies = model.bodies().iter().enumerate().map(|(index, body)| {
+        balance(model, assembled, candidate, index).map_err(|source| ModelError::Body {
+            body: body.name.clone(),
+            source,
+        })
+    });
+    Ok(Certificate {
+        bodies: bodies.collect::<Result<_, _>>()?,
+        ..certificate(&elastic.total(), &interface, length, dual)
+    })
 }
 
 fn balance(

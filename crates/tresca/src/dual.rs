@@ -1,17 +1,14 @@
 //! From matrices to the dual problem: factorisation, choice of engine, A.
 
-use std::borrow::Cow;
 use std::sync::Arc;
-use std::time::Instant;
 
-use rayon::prelude::*;
-use tresca_la::{Ordering, Parallelism, SparseCholesky};
-use tresca_qcqp::operator::{Condensed, Factored as FactoredOperator, groups};
+use tresca_la::SparseCholesky;
+use tresca_qcqp::operator::groups;
 use tresca_qcqp::{DualProblem, Engine};
 
 use crate::ModelError;
 use crate::assemble::Assembled;
-use crate::floating::equality;
+use crate::elastic::{self, FactorFailure};
 use crate::model::Model;
 
 /// Up to this many dual unknowns A is formed by default, and its active blocks are factored: no
@@ -24,7 +21,7 @@ const EXPLICIT_UP_TO: usize = 300;
 const EXPLICIT_FOR_MANY_UP_TO: usize = 6000;
 
 /// Largest patch of the local model of A (see `docs/reproduction.md` for what its size does).
-const PAIRS_PER_PATCH: usize = 24;
+pub(crate) const PAIRS_PER_PATCH: usize = 24;
 
 /// The factored bodies.
 pub struct Factored {
@@ -102,47 +99,13 @@ pub fn factor(
     assembled: &Assembled,
     contact_last: bool,
 ) -> Result<Factored, ModelError> {
-    let start = Instant::now();
-    let threads = rayon::current_num_threads();
-    // The bodies share the threads; a body that gets none of its own runs on one.
-    let parallelism = Parallelism::Threads((threads / assembled.bodies.len()).max(1));
-    let parts = assembled
-        .bodies
-        .par_iter()
-        .zip(model.bodies())
-        .map(|(system, body)| {
-            let stiffness = match &system.floating {
-                None => Cow::Borrowed(&system.stiffness),
-                Some(floating) => Cow::Owned(floating.grounding.add_to(&system.stiffness)),
-            };
-            let ordering = if contact_last {
-                Ordering::nested_dissection_with_trailing(&stiffness, &system.trailing_dofs)
-            } else {
-                Ordering::nested_dissection(&stiffness)
-            };
-            let ordering = ordering.map_err(|source| ModelError::Ordering {
-                body: body.name.clone(),
-                source,
-            })?;
-            SparseCholesky::factor(&stiffness, ordering, parallelism).map_err(|source| {
-                ModelError::Factorization {
-                    body: body.name.clone(),
-                    source,
-                }
-            })
-        })
-        .collect::<Result<Vec<_>, _>>()?;
-    let seconds = start.elapsed().as_secs_f64();
-    let factors: Vec<_> = parts.into_iter().map(Arc::new).collect();
-    let work = FactorWork {
-        nonzeros: factors
-            .iter()
-            .map(|factor| factor.factor_nonzeros() as f64)
-            .sum(),
-        flops: factors.iter().map(|factor| factor.flops()).sum(),
-        seconds,
-    };
-    Ok(Factored { factors, work })
+    elastic::factor(&assembled.elastic(), contact_last).map_err(|(body, failure)| {
+        let body = model.bodies()[body].name.clone();
+        match failure {
+            FactorFailure::Ordering(source) => ModelError::Ordering { body, source },
+            FactorFailure::Factor(source) => ModelError::Factorization { body, source },
+        }
+    })
 }
 
 /// The dual problem of the model, A applied by the chosen engine. b, e and the slip bounds are those of
@@ -157,50 +120,12 @@ pub fn dual_problem(
     engine: Engine,
 ) -> Result<DualProblem, ModelError> {
     let slidings: Vec<_> = assembled.pairs().map(|pair| pair.sliding).collect();
-    let set = assembled.layout.set(&slidings)?;
-    let rhs = vec![0.0; assembled.layout.unknowns()];
     let groups = groups_of_neighbours(model.dimension(), assembled);
-    let problem = match engine {
-        Engine::Factored => {
-            let bodies = assembled
-                .bodies
-                .iter()
-                .zip(&factored.factors)
-                .map(|(system, factor)| {
-                    (
-                        &system.stiffness,
-                        Arc::clone(factor),
-                        system.coupling.clone(),
-                    )
-                })
-                .collect();
-            DualProblem::new(FactoredOperator::new(bodies, &groups), rhs, set)
-        }
-        Engine::Condensed => DualProblem::new(condensed(assembled, factored, groups), rhs, set),
-        Engine::Explicit | Engine::Auto => {
-            let all = Parallelism::Threads(rayon::current_num_threads());
-            let explicit = condensed(assembled, factored, groups).explicit(all);
-            DualProblem::new(explicit, rhs, set)
-        }
-    }?
-    .with_coulomb(assembled.layout.coulomb(&slidings))?;
-    Ok(match equality(assembled) {
-        None => problem,
-        Some(equality) => problem.with_equality(&equality)?,
-    })
-}
-
-fn condensed(assembled: &Assembled, factored: &Factored, groups: Vec<Vec<usize>>) -> Condensed {
-    let bodies = assembled
-        .bodies
-        .par_iter()
-        .zip(&factored.factors)
-        .map(|(system, factor)| {
-            let coupling = system.coupling.restricted(&system.trailing_dofs);
-            (factor.trailing(), coupling)
-        })
-        .collect();
-    Condensed::new(bodies, groups)
+    let bodies = assembled.elastic();
+    let layout = &assembled.layout;
+    Ok(elastic::dual_problem(
+        &bodies, factored, layout, &slidings, groups, engine,
+    )?)
 }
 
 /// The unknowns of neighbouring pairs, contact by contact: the patches of the local model of A.
@@ -218,28 +143,6 @@ fn groups_of_neighbours(dimension: usize, assembled: &Assembled) -> Vec<Vec<usiz
         first += points.len();
     }
     groups::unknowns_of_pairs(&pairs, dimension)
-}
-
-/// K⁺(f − Bᵀλ) of each body over its free dofs, λ in the solver's unknowns μ.
-pub(crate) fn elastic_displacements(
-    assembled: &Assembled,
-    factored: &Factored,
-    free_loads: &[Vec<f64>],
-    mu: &[f64],
-) -> Vec<Vec<f64>> {
-    let minus: Vec<f64> = mu.iter().map(|x| -x).collect();
-    assembled
-        .bodies
-        .par_iter()
-        .zip(&factored.factors)
-        .zip(free_loads)
-        .map(|((system, factor), load)| {
-            let mut u = load.clone();
-            system.coupling.add_transposed_product(&minus, &mut u);
-            factor.solve_in_place(&mut u);
-            u
-        })
-        .collect()
 }
 
 /// Displacements over the full dofs from their free parts and the prescribed rest.

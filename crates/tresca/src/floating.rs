@@ -8,11 +8,11 @@
 use tresca_fem::dofs::DofMap;
 use tresca_fem::rigid::{self, FreeMotion, Grounding, RigidMotion};
 use tresca_la::vector::dot;
-use tresca_qcqp::Equality;
 use tresca_qcqp::operator::Coupling;
 
 use crate::ModelError;
 use crate::assemble::Assembled;
+use crate::elastic::add_motions;
 use crate::model::{Body, Model};
 
 /// The rigid motions of a body and how they are kept out of its factor.
@@ -61,62 +61,6 @@ pub(crate) fn floating(
     }
     let grounding = Grounding::new(&body.mesh, &body.material, dofs, &motions, &nodes);
     Ok(Some(Floating { motions, grounding }))
-}
-
-/// G and S of all floating bodies, e left at zero; `None` when every body is held.
-pub(crate) fn equality(assembled: &Assembled) -> Option<Equality> {
-    let floating: Vec<_> = assembled
-        .bodies
-        .iter()
-        .filter_map(|body| Some((body, body.floating.as_ref()?)))
-        .collect();
-    let count: usize = floating.iter().map(|(_, f)| f.motions.len()).sum();
-    if count == 0 {
-        return None;
-    }
-    let mut rows = Vec::with_capacity(count);
-    let mut metric = vec![vec![0.0; count]; count];
-    for (body, floating) in floating {
-        let first = rows.len();
-        for (k, motion) in floating.grounding.r.iter().enumerate() {
-            let mut row = vec![0.0; assembled.layout.unknowns()];
-            body.coupling.add_product(motion, &mut row);
-            rows.push(row);
-            for (l, &entry) in floating.grounding.s[k].iter().enumerate() {
-                metric[first + k][first + l] = entry;
-            }
-        }
-    }
-    Some(Equality {
-        rows,
-        rhs: vec![0.0; count],
-        metric,
-    })
-}
-
-/// e = Rᵀf of all floating bodies for loads over their free dofs.
-pub(crate) fn load_on_motions(assembled: &Assembled, free_loads: &[Vec<f64>]) -> Vec<f64> {
-    let bodies = assembled.bodies.iter().zip(free_loads);
-    bodies
-        .filter_map(|(body, f)| Some((body.floating.as_ref()?, f)))
-        .flat_map(|(floating, f)| floating.grounding.r.iter().map(move |r| dot(r, f)))
-        .collect()
-}
-
-/// Adds R α to displacements over the free dofs; `alpha` holds the motions of all bodies in order.
-pub(crate) fn add_motions(assembled: &Assembled, alpha: &[f64], displacements: &mut [Vec<f64>]) {
-    let mut alpha = alpha.iter();
-    for (body, u) in assembled.bodies.iter().zip(displacements) {
-        for r in body
-            .floating
-            .iter()
-            .flat_map(|floating| &floating.grounding.r)
-        {
-            if let Some(&amount) = alpha.next() {
-                tresca_la::vector::axpy(amount, r, u);
-            }
-        }
-    }
 }
 
 /// A motion that nothing resists, in words and as a displacement.
@@ -185,7 +129,7 @@ pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> Unr
         .iter()
         .map(|body| vec![0.0; body.dofs.free_len()])
         .collect();
-    add_motions(assembled, v, &mut free);
+    add_motions(&assembled.elastic(), v, &mut free);
     let bodies = assembled.bodies.iter().zip(&free);
     let mut displacements: Vec<Vec<f64>> = bodies.map(|(body, u)| body.dofs.expand(u)).collect();
     let size = largest(&mut displacements.iter().flatten().copied());

@@ -4,7 +4,7 @@
 //! weight being 1 (docs/theory.md, "Orthotropic friction"): the solver's unknown is μ, everyone else's is λ.
 //! A direction in which supports let a pair not move carries no force.
 
-use tresca_contact::{ContactPair, Opening, Sliding};
+use tresca_contact::{Mobility, Opening, Sliding};
 use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line, Point};
 use tresca_qcqp::{ActiveSet, CoulombBound, ProductSet, QcqpError};
 
@@ -18,17 +18,17 @@ enum Shape {
 }
 
 /// The blocks of one pair.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 struct PairBlocks {
     opening: Opening,
-    mobility: tresca_contact::Mobility,
+    mobility: Mobility,
     shape: Shape,
     /// Number of its first tangential block.
     first_tangential: usize,
 }
 
 /// Where every pair stands in λ and in Λ. The same for all load steps.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
     tangents: usize,
     pairs: Vec<PairBlocks>,
@@ -36,19 +36,20 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout for pairs in `dimension` dimensions, each with how it opens.
-    pub(crate) fn new<'a>(
+    /// The layout for pairs in `dimension` dimensions (1: there are no tangents), each with how it opens,
+    /// moves and slides.
+    pub(crate) fn new(
         dimension: usize,
-        pairs: impl Iterator<Item = (Opening, &'a ContactPair)>,
+        pairs: impl Iterator<Item = (Opening, Mobility, Sliding)>,
     ) -> Self {
         let tangents = dimension - 1;
         let mut blocks = Vec::new();
         let mut tangential_weights = Vec::new();
         let mut tangential_blocks = 0;
-        for (opening, pair) in pairs {
-            let axes = semi_axes(&pair.sliding);
+        for (opening, mobility, sliding) in pairs {
+            let axes = semi_axes(&sliding);
             let shape = match axes {
-                _ if tangents == 1 || pair.mobility.tangents != [true; 2] => Shape::Separate,
+                _ if tangents < 2 || mobility.tangents != [true; 2] => Shape::Separate,
                 None => Shape::Separate,
                 Some([a, b]) if (a == 0.0) != (b == 0.0) => Shape::Separate,
                 Some(_) => Shape::Disc,
@@ -60,7 +61,7 @@ impl Layout {
             tangential_weights.extend_from_slice(&weights[..tangents]);
             blocks.push(PairBlocks {
                 opening,
-                mobility: pair.mobility,
+                mobility,
                 shape,
                 first_tangential: tangential_blocks,
             });
@@ -109,22 +110,36 @@ impl Layout {
         self.weighted(mu, |x, w| x * w)
     }
 
+    /// μ of λ = diag(w) μ.
+    pub(crate) fn unknowns_of(&self, forces: &[f64]) -> Vec<f64> {
+        self.weighted(forces, |x, w| x / w)
+    }
+
     /// diag(w) x of a relative displacement x = B u: what μ is dual to.
     pub fn dual(&self, relative: &[f64]) -> Vec<f64> {
         self.weighted(relative, |x, w| x * w)
     }
 
-    /// The tangential unknowns of a pair as two components, the second zero in the plane.
+    /// The tangential unknowns of a pair as two components, zero where there is no such tangent.
     pub fn tangential(&self, values: &[f64], pair: usize) -> [f64; 2] {
         let first = self.pairs.len() + self.tangents * pair;
-        [
-            values[first],
-            if self.tangents == 2 {
-                values[first + 1]
+        std::array::from_fn(|t| {
+            if t < self.tangents {
+                values[first + t]
             } else {
                 0.0
-            },
-        ]
+            }
+        })
+    }
+
+    /// Number of tangents of a pair: 1 in the plane, 2 in space, 0 without any.
+    pub fn tangents(&self) -> usize {
+        self.tangents
+    }
+
+    /// Whether a pair can move along its normal at all.
+    pub(crate) fn moves_normally(&self, pair: usize) -> bool {
+        self.pairs[pair].mobility.normal
     }
 
     /// Whether the law keeps a pair from opening.
@@ -236,6 +251,8 @@ impl Layout {
         let own = &self.pairs[pair];
         let stick = match own.shape {
             Shape::Disc => states[own.first_tangential] == BlockState::Free,
+            // Without tangents there is nothing that holds.
+            Shape::Separate if self.tangents == 0 => false,
             Shape::Separate => (0..self.tangents)
                 .filter(|&t| own.mobility.tangents[t])
                 .all(|t| states[own.first_tangential + t] == BlockState::Free),

@@ -29,16 +29,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod algebraic;
 pub mod assemble;
 pub mod case;
 pub mod certificate;
 pub mod dual;
+mod elastic;
 mod ellipse;
 mod error;
+pub mod fclib;
 mod floating;
 mod layout;
 pub mod linear;
 mod load_step;
+mod measures;
 pub mod memory;
 pub mod model;
 mod outcome;

@@ -17,7 +17,7 @@ use tresca_io::{WriteError, summary};
 
 use crate::model::{Body, Model};
 use crate::outcome::{Outcome, PairState, StepOutcome};
-use crate::{Summary, VERSION};
+use crate::{IterationRecord, Summary, VERSION};
 
 /// Name of the file with the contact fields.
 const CONTACT: &str = "contact";
@@ -49,6 +49,10 @@ impl Destination {
         Ok(Self {
             directory: directory.to_owned(),
         })
+    }
+
+    pub(crate) fn into_directory(self) -> PathBuf {
+        self.directory
     }
 
     /// Writes all files of a run: `<body>.vtu` and `contact.vtu` (of a case with several load steps
@@ -112,6 +116,24 @@ impl Destination {
     }
 }
 
+/// Writes a single file, whole or not at all, replacing an earlier one.
+///
+/// # Errors
+/// Those of `write` and of the file system.
+pub fn write_file(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), WriteError>,
+) -> Result<(), WriteError> {
+    let directory = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let mut files = OutputSet::new(directory.unwrap_or(Path::new(".")))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    files.stage(&name, write)?;
+    files.commit()?;
+    Ok(())
+}
+
 /// What every result file says about its origin.
 fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, Fact)> {
     let solution = &step.solution;
@@ -142,6 +164,18 @@ fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, F
 }
 
 fn history(outcome: &Outcome) -> Result<History, WriteError> {
+    history_table(
+        outcome
+            .steps
+            .iter()
+            .map(|step| (step.number, &step.solution.records[..])),
+    )
+}
+
+/// The table of `history.csv`: the records of load steps, with their numbers.
+pub(crate) fn history_table<'a>(
+    steps: impl IntoIterator<Item = (usize, &'a [IterationRecord])>,
+) -> Result<History, WriteError> {
     let mut table = History::new(&[
         "step",
         "iteration",
@@ -158,11 +192,11 @@ fn history(outcome: &Outcome) -> Result<History, WriteError> {
         "n_a",
         "step_length",
     ]);
-    for step in &outcome.steps {
-        for record in &step.solution.records {
+    for (number, records) in steps {
+        for record in records {
             let counts = record.counts;
             table.push(&[
-                step.number.into(),
+                number.into(),
                 record.iteration.into(),
                 record.outer.into(),
                 record.relative_reduced_gradient.into(),

@@ -11,10 +11,10 @@ use tresca_qcqp::{DualProblem, Settings, Solution, Start, Status};
 use crate::assemble::{Assembled, assemble};
 use crate::certificate::{Candidate, certify};
 use crate::dual::{
-    EngineChoice, FactorWork, Factored, choose_engine, dual_problem, elastic_displacements, factor,
-    full_displacements,
+    EngineChoice, FactorWork, Factored, choose_engine, dual_problem, factor, full_displacements,
 };
-use crate::floating::{add_motions, load_on_motions, unresisted};
+use crate::elastic::{add_motions, displacements, load_on_motions};
+use crate::floating::unresisted;
 use crate::layout::Layout;
 use crate::load_step::{Acting, acting};
 use crate::model::Step;
@@ -284,7 +284,8 @@ impl Prepared {
         let assembled = &self.assembled;
         let layout = &assembled.layout;
         let without = vec![0.0; layout.unknowns()];
-        let free = elastic_displacements(assembled, &self.factored, &acting.free_loads, &without);
+        let bodies = assembled.elastic();
+        let free = displacements(&bodies, &self.factored, &acting.free_loads, &without);
         let energy = acting
             .free_loads
             .iter()
@@ -301,7 +302,7 @@ impl Prepared {
         self.dual.set_rhs(layout.dual(&b))?;
         self.dual.set_set(layout.set(&acting.slidings)?)?;
         if self.description.rigid_motions > 0 {
-            let on_motions = load_on_motions(assembled, &acting.free_loads);
+            let on_motions = load_on_motions(&bodies, &acting.free_loads);
             self.dual.set_equality_rhs(&on_motions)?;
         }
         Ok(energy)
@@ -327,8 +328,9 @@ impl Prepared {
                 .collect()
         } else {
             let (loads, mu) = (&acting.free_loads, &solution.lambda);
-            let mut free = elastic_displacements(assembled, &self.factored, loads, mu);
-            add_motions(assembled, &solution.multiplier, &mut free);
+            let bodies = assembled.elastic();
+            let mut free = displacements(&bodies, &self.factored, loads, mu);
+            add_motions(&bodies, &solution.multiplier, &mut free);
             free
         };
         let displacements = full_displacements(assembled, &free, &acting.prescribed);

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
-const ALLOWED: [(&str, &[&str]); 7] = [
+const ALLOWED: [(&str, &[&str]); 8] = [
     ("tresca-la", &[]),
     ("tresca-fem", &["tresca-la"]),
     ("tresca-contact", &["tresca-fem", "tresca-la"]),
@@ -20,6 +20,7 @@ const ALLOWED: [(&str, &[&str]); 7] = [
         ],
     ),
     ("tresca-cli", &["tresca", "tresca-io"]),
+    ("tresca-py", &["tresca", "tresca-io"]),
 ];
 
 #[test]

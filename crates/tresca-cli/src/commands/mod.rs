@@ -1,5 +1,8 @@
 //! One file per command.
 
 pub mod bench;
+pub mod export;
+pub mod fclib;
+pub mod matrices;
 pub mod options;
 pub mod solve;

@@ -1,4 +1,4 @@
-//! `tresca solve`: a case file in, result files and a verdict out.
+//! `tresca solve`: a case file (or matrices: see `matrices` and `fclib`) in, result files and a verdict out.
 
 use std::path::Path;
 
@@ -7,12 +7,24 @@ use tresca::Run;
 use tresca::case::Case;
 use tresca::output::Destination;
 
+use super::{fclib, matrices};
 use crate::args::{SolveArguments, use_threads};
 use crate::interrupt::Interrupt;
 use crate::terminal::{monitor::Monitor, verdict};
 
 pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
+    if fclib::is_problem(&arguments.case) {
+        return fclib::run(arguments);
+    }
+    if arguments.law.is_some() || arguments.bound.is_some() {
+        return Err(miette!(
+            "--law and --bound are for problems of FCLIB and Siconos; others have their own laws"
+        ));
+    }
+    if matrices::is_problem(&arguments.case) {
+        return matrices::run(arguments);
+    }
     let case = Case::load(&arguments.case)?;
     let settings = arguments.solver.over(case.settings())?;
     let name = case_name(&arguments.case)?;
@@ -58,7 +70,7 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
 }
 
 /// The case file's name without its extension: results are called after it.
-fn case_name(case: &Path) -> miette::Result<&str> {
+pub fn case_name(case: &Path) -> miette::Result<&str> {
     case.file_stem()
         .and_then(|stem| stem.to_str())
         .ok_or_else(|| miette!("`{}` is not the name of a case file", case.display()))

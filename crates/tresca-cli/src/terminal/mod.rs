@@ -1,5 +1,6 @@
 //! Everything that people see: tables, progress, the verdict.
 
 pub mod format;
+pub mod matrices;
 pub mod monitor;
 pub mod verdict;

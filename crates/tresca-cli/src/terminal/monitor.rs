@@ -50,6 +50,29 @@ impl Monitor {
         self.spinner.enable_steady_tick(Duration::from_millis(120));
     }
 
+    /// The head of the iteration table.
+    fn header(&self) {
+        if !self.print {
+            return;
+        }
+        println!(
+            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
+            "k",
+            "outer",
+            "rel. grad.",
+            "q",
+            "decrease",
+            "open",
+            "closed",
+            "stick",
+            "slip",
+            "changes",
+            "inner",
+            "n_A",
+            "step"
+        );
+    }
+
     /// Removes whatever is still turning.
     pub fn finish(&mut self) {
         self.spinner.finish_and_clear();
@@ -61,7 +84,10 @@ impl Progress for Monitor {
         match stage {
             Stage::Assembly => self.spin("assembling"),
             Stage::Factorization => self.spin("factoring the bodies"),
-            Stage::Solve => self.finish(),
+            Stage::Solve => {
+                self.finish();
+                self.header();
+            }
             Stage::Recovery => self.spin("recovering displacements, checking the result"),
         }
         self.flow()
@@ -81,7 +107,7 @@ impl Progress for Monitor {
         );
         if description.held_pairs > 0 {
             println!(
-                "{} pairs are left out: both of their nodes are held",
+                "{} pairs are left out: nothing lets them move",
                 grouped(description.held_pairs)
             );
         }
@@ -112,22 +138,6 @@ impl Progress for Monitor {
             let name = step.name.as_deref().unwrap_or("");
             println!("\nload step {number} of {count}, time {} {name}", step.time);
         }
-        println!(
-            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
-            "k",
-            "outer",
-            "rel. grad.",
-            "q",
-            "decrease",
-            "open",
-            "closed",
-            "stick",
-            "slip",
-            "changes",
-            "inner",
-            "n_A",
-            "step"
-        );
     }
 
     fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {

@@ -1,0 +1,52 @@
+//! Friction laws from a code and three figures per pair.
+
+use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use tresca::algebraic::{Friction, Law};
+
+use crate::errors;
+
+/// The names of the laws; a code is a place in this list.
+pub const LAWS: [&str; 6] = [
+    "frictionless",
+    "tresca",
+    "orthotropic",
+    "coulomb",
+    "tied",
+    "bilateral",
+];
+
+/// (codes, figures, one law for each pair?): one row of three figures for each code. Bounds or coefficients
+/// come first, the limit of Coulomb's law last; what a law does not use is not looked at.
+pub type Laws<'py> = (PyReadonlyArray1<'py, u8>, PyReadonlyArray2<'py, f64>, bool);
+
+/// The friction of a problem.
+pub fn friction((codes, figures, per_pair): &Laws<'_>) -> PyResult<Friction> {
+    let figures = figures.as_slice()?.as_chunks::<3>().0;
+    let laws = codes.as_slice()?.iter().zip(figures);
+    let laws = laws
+        .map(|(&code, figures)| law(code, *figures))
+        .collect::<PyResult<Vec<_>>>()?;
+    match laws[..] {
+        [law] if !per_pair => Ok(Friction::Same(law)),
+        _ => Ok(Friction::PerPair(laws)),
+    }
+}
+
+fn law(code: u8, [first, second, limit]: [f64; 3]) -> PyResult<Law> {
+    let name = LAWS.get(usize::from(code)).copied();
+    Ok(match name {
+        Some("frictionless") => Law::Frictionless,
+        Some("tresca") => Law::Tresca { bound: first },
+        Some("orthotropic") => Law::Orthotropic {
+            bounds: [first, second],
+        },
+        Some("coulomb") => Law::Coulomb {
+            coefficients: [first, second],
+            limit,
+        },
+        Some("tied") => Law::Tied,
+        Some("bilateral") => Law::Bilateral { bound: first },
+        _ => return Err(errors::problem(format!("there is no law with code {code}"))),
+    })
+}

@@ -1,0 +1,414 @@
+//! The pure dual form: A, b and the laws; no K, no displacements.
+
+use std::time::Instant;
+
+use rayon::prelude::*;
+use tresca_contact::Mobility;
+use tresca_la::PackedLower;
+use tresca_la::vector::{dot, norm};
+use tresca_qcqp::operator::{Dense, LocalModel};
+use tresca_qcqp::{DualProblem, Settings, Start};
+
+use super::{AlgebraicError, Forces, Friction, Law, Note, Solution, check};
+use crate::layout::Layout;
+use crate::measures::{Elastic, Interface, Pairs, certificate, largest, scale};
+use crate::progress::{Progress, Stage};
+use crate::{Certificate, Times};
+
+/// Relative asymmetry up to which A is symmetrised.
+const ALLOWED_ASYMMETRY: f64 = 1e-8;
+
+/// A, order dm: what contact forces do to relative displacements.
+pub enum Operator {
+    /// A dense matrix, made by [`Operator::dense`].
+    Dense {
+        /// (A + Aᵀ)/2.
+        matrix: PackedLower,
+        /// max |A_ij − A_ji| / max |A_ij| of what was given.
+        asymmetry: f64,
+    },
+    /// A function that computes y ← A x.
+    Product {
+        /// Order of A.
+        order: usize,
+        /// Overwrites y and does not read it. A product that cannot be had is best filled with NaN: the
+        /// solve then ends with an error or with `diverged`.
+        apply: Product,
+        /// diag(A), if known: preconditions.
+        diagonal: Option<Vec<f64>>,
+    },
+}
+
+/// y ← A x.
+pub type Product = Box<dyn FnMut(&[f64], &mut [f64]) + Send>;
+
+impl Operator {
+    /// From a dense matrix, row by row. It must be symmetric; a small asymmetry is averaged out.
+    ///
+    /// # Errors
+    /// When there are not order² values, one is not finite, or A is not symmetric.
+    pub fn dense(order: usize, values: &[f64]) -> Result<Self, AlgebraicError> {
+        if values.len() != order * order || !values.par_iter().all(|value| value.is_finite()) {
+            check::vector("A", values, order * order, "order × order")?;
+        }
+        let scale = values
+            .par_iter()
+            .map(|value| value.abs())
+            .reduce(|| 0.0, f64::max);
+        let matrix = PackedLower::from_fn(order, |i, j| {
+            let (below, above) = (values[order * i + j], values[order * j + i]);
+            if below == above {
+                below
+            } else {
+                0.5 * below + 0.5 * above
+            }
+        });
+        let (difference, row, column) = most_asymmetric(order, values);
+        let asymmetry = if scale > 0.0 { difference / scale } else { 0.0 };
+        if asymmetry > ALLOWED_ASYMMETRY {
+            return Err(AlgebraicError::DualNotSymmetric {
+                row,
+                column,
+                asymmetry,
+            });
+        }
+        Ok(Operator::Dense { matrix, asymmetry })
+    }
+
+    /// From a function that computes y ← A x for vectors of length `order`.
+    pub fn product(order: usize, apply: impl FnMut(&[f64], &mut [f64]) + Send + 'static) -> Self {
+        Operator::Product {
+            order,
+            apply: Box::new(apply),
+            diagonal: None,
+        }
+    }
+
+    /// Order of A.
+    pub fn order(&self) -> usize {
+        match self {
+            Operator::Dense { matrix, .. } => matrix.order(),
+            Operator::Product { order, .. } => *order,
+        }
+    }
+}
+
+/// min ½ λᵀAλ − λᵀb over the admissible λ = \[λν (m); λτ ((d−1)m, components of a pair adjacent)\].
+///
+/// Aλ − b is \[gap left; −slip\]: with the matrices of a [`Problem`](super::Problem), A = B K⁻¹ Bᵀ and
+/// b = B K⁻¹ f − \[d; 0\].
+pub struct Dual {
+    /// A.
+    pub operator: Operator,
+    /// b.
+    pub rhs: Vec<f64>,
+    /// Tangents per pair: 0, 1 or 2.
+    pub tangents: usize,
+    /// The friction laws of the pairs.
+    pub friction: Friction,
+    /// Where to start from.
+    pub start: Option<Forces>,
+}
+
+impl Dual {
+    /// A problem without a start.
+    pub fn new(
+        operator: Operator,
+        rhs: Vec<f64>,
+        tangents: usize,
+        friction: impl Into<Friction>,
+    ) -> Self {
+        Self {
+            operator,
+            rhs,
+            tangents,
+            friction: friction.into(),
+            start: None,
+        }
+    }
+
+    /// Sets the forces to start from.
+    #[must_use]
+    pub fn with_start(mut self, start: Forces) -> Self {
+        self.start = Some(start);
+        self
+    }
+}
+
+/// Solves the pure dual form. `displacement` of the solution is empty.
+///
+/// # Errors
+/// When A, b, a law or a setting is wrong. How the solve ended stands in the solution.
+pub fn solve_dual(
+    dual: Dual,
+    settings: &Settings,
+    progress: &mut dyn Progress,
+) -> Result<Solution, AlgebraicError> {
+    settings.validate()?;
+    let begin = Instant::now();
+    let mut stopped = progress.stage(Stage::Assembly).is_break();
+    let Dual {
+        operator,
+        rhs,
+        tangents,
+        friction,
+        start,
+    } = dual;
+    let order = operator.order();
+    if order == 0 {
+        return Err(AlgebraicError::NoPairs);
+    }
+    if tangents > 2 || !order.is_multiple_of(tangents + 1) {
+        return Err(AlgebraicError::Shape {
+            what: "A",
+            rows: order,
+            columns: order,
+            expected: format!("an order of {} per contact pair", tangents.min(2) + 1),
+        });
+    }
+    let m = order / (tangents + 1);
+    check::vector("the right-hand side b", &rhs, order, "order of A")?;
+    let laws = friction.laws(m)?;
+    let layout = check::layout(&laws, &vec![Mobility::FULL; m], tangents)?;
+    let slidings: Vec<_> = laws.iter().map(Law::sliding).collect();
+    let mut notes = Vec::new();
+    check::note_ignored_figures(&laws, tangents, &mut notes);
+    if let Operator::Dense { asymmetry, .. } = operator
+        && asymmetry > 0.0
+    {
+        notes.push(Note::DualSymmetrised { asymmetry });
+    }
+    let mut set = layout.set(&slidings)?;
+    let coulomb = layout.coulomb(&slidings);
+    let mut lambda = None;
+    if let Some(start) = &start {
+        check::vector(
+            "the start of the normal forces",
+            &start.normal,
+            m,
+            "one per contact pair",
+        )?;
+        let tangential = &start.tangential;
+        check::vector(
+            "the start of the tangential forces",
+            tangential,
+            tangents * m,
+            "tangents",
+        )?;
+        for bound in &coulomb {
+            let guess = (bound.coefficient * start.normal[bound.normal].max(0.0)).min(bound.limit);
+            set.set_bound(bound.block, guess)?;
+        }
+        lambda = Some(layout.unknowns_of(&[&start.normal[..], &start.tangential].concat()));
+    }
+    let weighted_rhs = layout.dual(&rhs);
+    let mut problem = match operator {
+        Operator::Dense { mut matrix, .. } => {
+            weigh(&mut matrix, &layout);
+            DualProblem::new(Dense::new(matrix), weighted_rhs, set)?
+        }
+        Operator::Product {
+            order,
+            apply,
+            diagonal,
+        } => {
+            if let Some(diagonal) = &diagonal {
+                check::vector("the diagonal of A", diagonal, order, "order of A")?;
+            }
+            let operator = Weighted {
+                apply,
+                diagonal: layout.dual(&layout.dual(&diagonal.unwrap_or_else(|| vec![1.0; order]))),
+                weights: layout.weights().to_vec(),
+                scratch: vec![0.0; order],
+                count: 0,
+            };
+            DualProblem::new(operator, weighted_rhs, set)?
+        }
+    }
+    .with_coulomb(coulomb)?;
+    let assembly = begin.elapsed().as_secs_f64();
+
+    stopped |= progress.stage(Stage::Solve).is_break();
+    let begin = Instant::now();
+    let mut observer = |record: &tresca_qcqp::IterationRecord| {
+        let flow = progress.iteration(record);
+        if std::mem::take(&mut stopped) {
+            std::ops::ControlFlow::Break(())
+        } else {
+            flow
+        }
+    };
+    let start = lambda.as_deref().map(Start::from);
+    let solution = tresca_qcqp::solve(&mut problem, settings, start, &mut observer)?;
+    let solve = begin.elapsed().as_secs_f64();
+
+    let _ = progress.stage(Stage::Recovery);
+    let begin = Instant::now();
+    let mut outcome = recover(&mut problem, &layout, &slidings, &rhs, solution);
+    outcome.notes = notes;
+    outcome.settings = settings.clone();
+    outcome.times = Times {
+        assembly,
+        factorization: 0.0,
+        solve,
+        recovery: begin.elapsed().as_secs_f64(),
+    };
+    Ok(outcome)
+}
+
+/// Rows that are compared together: as many entries of a column as fit into the first cache.
+const ROWS: usize = 32;
+
+/// The largest |A_ij − A_ji| and where it is, the first of several.
+fn most_asymmetric(order: usize, values: &[f64]) -> (f64, usize, usize) {
+    let first_of_larger = |a: (f64, usize, usize), b: (f64, usize, usize)| {
+        if b.0 > a.0 || b.0 == a.0 && (b.1, b.2) < (a.1, a.2) {
+            b
+        } else {
+            a
+        }
+    };
+    let in_rows = |first: usize| {
+        let rows = first..order.min(first + ROWS);
+        let mut worst = (0.0, 0, 0);
+        // Along a row of the part above the diagonal, for all rows of the block below at once.
+        for j in 0..rows.end {
+            let above = &values[order * j..order * (j + 1)];
+            for i in rows.clone().filter(|&i| i > j) {
+                let difference = (values[order * i + j] - above[i]).abs();
+                if difference > 0.0 {
+                    worst = first_of_larger(worst, (difference, i, j));
+                }
+            }
+        }
+        worst
+    };
+    (0..order)
+        .into_par_iter()
+        .step_by(ROWS)
+        .map(in_rows)
+        .reduce(|| (0.0, 0, 0), first_of_larger)
+}
+
+/// diag(w) A diag(w).
+fn weigh(matrix: &mut PackedLower, layout: &Layout) {
+    let weights = layout.weights();
+    if weights.iter().all(|&w| w == 1.0) {
+        return;
+    }
+    for (i, wi) in weights.iter().enumerate() {
+        for (j, wj) in weights.iter().enumerate().take(i + 1) {
+            if wi * wj != 1.0 {
+                matrix.set(i, j, wi * wj * matrix.get(i, j));
+            }
+        }
+    }
+}
+
+/// diag(w) A diag(w), A a function.
+struct Weighted {
+    apply: Product,
+    diagonal: Vec<f64>,
+    weights: Vec<f64>,
+    scratch: Vec<f64>,
+    count: usize,
+}
+
+impl tresca_qcqp::DualOperator for Weighted {
+    fn dim(&self) -> usize {
+        self.weights.len()
+    }
+
+    fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        for ((s, x), w) in self.scratch.iter_mut().zip(x).zip(&self.weights) {
+            *s = x * w;
+        }
+        (self.apply)(&self.scratch, y);
+        y.iter_mut().zip(&self.weights).for_each(|(y, w)| *y *= w);
+    }
+
+    fn counter(&mut self) -> &mut usize {
+        &mut self.count
+    }
+
+    fn local_model(&self) -> LocalModel {
+        LocalModel::Diagonal(self.diagonal.clone())
+    }
+}
+
+fn recover(
+    problem: &mut DualProblem,
+    layout: &Layout,
+    slidings: &[tresca_contact::Sliding],
+    rhs: &[f64],
+    solution: tresca_qcqp::Solution,
+) -> Solution {
+    let m = layout.pair_count();
+    let mu = &solution.lambda;
+    let mut product = vec![0.0; mu.len()];
+    problem.operator_mut().multiply(mu, &mut product);
+    // r = Aλ − b, its first part the gap left, its second part the negative slip.
+    let weights = layout.weights();
+    let r: Vec<f64> = (0..mu.len())
+        .map(|i| product[i] / weights[i] - rhs[i])
+        .collect();
+    let lambda = layout.forces(mu);
+    let relative: Vec<f64> = r.iter().map(|r| -r).collect();
+    let interface = Interface::new(&Pairs {
+        layout,
+        gaps: &vec![0.0; m],
+        slidings,
+        lambda: &lambda,
+        relative: &relative,
+        previous: &vec![0.0; r.len()],
+    });
+    let own = problem.rhs();
+    let inconsistency: Vec<f64> = (0..mu.len())
+        .map(|i| product[i] - own[i] - solution.gradient[i])
+        .collect();
+    let energy = 0.5 * dot(mu, &product);
+    // The energy of the dual form itself takes the place of the elastic one: the primal energy less that of
+    // the bodies without contact is ½λᵀAλ + Σ h.
+    let elastic = Elastic {
+        residual: norm(&inconsistency) / scale(norm(own)),
+        strain_work: 2.0 * energy,
+        load_work: 0.0,
+        energy: scale(energy),
+    };
+    let certificate = Certificate {
+        duality_gap: interface.duality_gap() / elastic.energy,
+        ..certificate(&elastic, &interface, largest(&r).max(largest(rhs)), 0.0)
+    };
+    let states: Vec<_> = (0..m)
+        .map(|i| layout.state(&solution.active_set, i))
+        .collect();
+    let bounds = slidings.iter().zip(&lambda);
+    Solution {
+        status: solution.status,
+        displacement: Vec::new(),
+        normal_force: lambda[..m].to_vec(),
+        tangential_force: lambda[m..].to_vec(),
+        closed: states.iter().map(|state| state.0).collect(),
+        stick: states.iter().map(|state| state.1).collect(),
+        gap: r[..m].to_vec(),
+        slip: relative[m..].to_vec(),
+        slip_bounds: bounds.map(|(law, &normal)| law.bounds(normal)).collect(),
+        certificate,
+        relative_reduced_gradient: solution.relative_reduced_gradient,
+        dual_objective: solution.objective,
+        equality_residual: solution.equality_residual,
+        outer_iterations: solution.outer_iterations,
+        outer_residual: solution.outer_residual,
+        iterations: solution.iterations,
+        records: solution.records,
+        n_a: solution.n_a,
+        n_a_setup: solution.n_a_setup,
+        sigma_max: solution.sigma_max,
+        kernel_amounts: Vec::new(),
+        unresisted_motion: None,
+        notes: Vec::new(),
+        description: None,
+        settings: Settings::default(),
+        times: Times::default(),
+    }
+}

@@ -1,0 +1,96 @@
+//! What a solve of an algebraic problem gives back.
+
+use tresca_qcqp::{IterationRecord, Settings, Status};
+
+use super::Note;
+use crate::{Certificate, Description, Times};
+
+/// Contact forces, as a start for a solve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Forces {
+    /// λν, length m.
+    pub normal: Vec<f64>,
+    /// λτ, length (d−1)m.
+    pub tangential: Vec<f64>,
+    /// Amounts of the kernel vectors, as in [`Solution::kernel_amounts`]; empty stands for 0.
+    pub kernel_amounts: Vec<f64>,
+}
+
+/// The outcome of a solve, everything in the caller's order and signs.
+///
+/// Look at [`status`](Solution::status) first: the forces are always admissible, but only with
+/// [`Status::Converged`] are they a solution.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// How the run ended.
+    pub status: Status,
+    /// u, length n. Zero with [`Status::NoEquilibrium`]; empty for the pure dual form.
+    pub displacement: Vec<f64>,
+    /// λν, length m, positive in compression; negative only for pairs that never open.
+    pub normal_force: Vec<f64>,
+    /// λτ, length (d−1)m.
+    pub tangential_force: Vec<f64>,
+    /// Which pairs carry a normal force. Tied and bilateral pairs always do.
+    pub closed: Vec<bool>,
+    /// Which pairs have a friction force below their bound. Pairs without friction never do.
+    pub stick: Vec<bool>,
+    /// The gap left, d − N u, length m.
+    pub gap: Vec<f64>,
+    /// T u, length (d−1)m: what the next step takes as its previous slip.
+    pub slip: Vec<f64>,
+    /// The two slip bounds (forces) of each pair that hold at the solution; `None` for tied pairs.
+    pub slip_bounds: Vec<Option<[f64; 2]>>,
+    /// Independent check of the result. `bodies` is empty: without a mesh there are no moments. Of the pure
+    /// dual form `equilibrium` compares the solver's Aλ − b with a fresh product.
+    pub certificate: Certificate,
+    /// ‖r̃(λ)‖/‖r̃(0)‖, what the tolerance is on.
+    pub relative_reduced_gradient: f64,
+    /// q(λ) = ½λᵀAλ − λᵀb.
+    pub dual_objective: f64,
+    /// Residual of the equilibrium of parts that float, on the scale of the reduced gradient.
+    pub equality_residual: f64,
+    /// Outer iterations: updates of Coulomb bounds or of motions of floating parts.
+    pub outer_iterations: usize,
+    /// Relative change of the Coulomb bounds in the last of them.
+    pub outer_residual: f64,
+    /// Iterations.
+    pub iterations: usize,
+    /// One record per iteration, and one for each start.
+    pub records: Vec<IterationRecord>,
+    /// Multiplications by A, those for σmax included; the one for the certificate of a pure dual problem
+    /// is not.
+    pub n_a: usize,
+    /// The part of `n_a` that went into the estimate of σmax.
+    pub n_a_setup: usize,
+    /// Estimate of the largest eigenvalue of A in the solver's unknowns.
+    pub sigma_max: f64,
+    /// α: how much of each kernel vector there is in u beyond K⁺(f − Bᵀλ); a start for the next step.
+    pub kernel_amounts: Vec<f64>,
+    /// With [`Status::NoEquilibrium`]: a motion of the parts that float which nothing resists enough, over
+    /// all dofs, the largest entry 1.
+    pub unresisted_motion: Option<Vec<f64>>,
+    /// What the user should know about the input.
+    pub notes: Vec<Note>,
+    /// Sizes, engine, factorisation; `None` for the pure dual form.
+    pub description: Option<Description>,
+    /// The settings that were in force.
+    pub settings: Settings,
+    /// Wall-clock times. Here `assembly` is the checking of the input.
+    pub times: Times,
+}
+
+impl Solution {
+    /// The forces, as a start for another solve.
+    pub fn forces(&self) -> Forces {
+        Forces {
+            normal: self.normal_force.clone(),
+            tangential: self.tangential_force.clone(),
+            kernel_amounts: self.kernel_amounts.clone(),
+        }
+    }
+
+    /// Did the method reach its tolerance?
+    pub fn converged(&self) -> bool {
+        self.status == Status::Converged
+    }
+}

@@ -1,0 +1,236 @@
+//! A problem reduced to its contacts.
+
+use faer::sparse::{SparseColMat, Triplet};
+use faer::{Mat, Side};
+use serde::Serialize;
+use tresca_io::fclib::{Matrix, Problem};
+use tresca_la::{Ordering, PackedLower, Parallelism, SparseCholesky, SymmetricMatrix};
+use tresca_qcqp::operator::Dense;
+
+use super::ProblemError;
+
+/// Asymmetry up to which a matrix is taken for a symmetric one with rounding errors. Files of
+/// Siconos printed with six digits, and of solvers that build W by blocks, reach 1e-5.
+const ASYMMETRY: f64 = 1e-3;
+/// Largest order of W: 20 000 unknowns take 3.2 GB, and half of that again for the operator.
+const LARGEST: usize = 20_000;
+/// Largest order whose eigenvalues are computed, which takes some seconds there.
+const LARGEST_SPECTRUM: usize = 2000;
+/// Eigenvalues below this times the order times the largest one count as zero.
+const ZERO: f64 = 1e-12;
+
+/// W and q of a problem of either form, in the order of the file, and M factored.
+pub(super) struct Reduced {
+    /// ½(W + Wᵀ), full.
+    pub w: Mat<f64>,
+    /// q.
+    pub q: Vec<f64>,
+    pub facts: MatrixFacts,
+    mass: Option<SparseCholesky>,
+}
+
+/// What W is like.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct MatrixFacts {
+    /// Its order.
+    pub unknowns: usize,
+    /// Entries that are not zero (of a dense W all of them).
+    pub entries: usize,
+    /// max |W − Wᵀ| / (2 max |W|). The solver has ½(W + Wᵀ).
+    pub asymmetry: f64,
+    /// Rank of ½(W + Wᵀ); `None` above the order up to which eigenvalues are computed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rank: Option<usize>,
+    /// Smallest eigenvalue; below zero W is no longer semidefinite.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smallest_eigenvalue: Option<f64>,
+    /// Largest eigenvalue.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_eigenvalue: Option<f64>,
+}
+
+impl MatrixFacts {
+    /// Whether the rank is known to be below the order: then forces need not be unique.
+    pub fn is_singular(&self) -> bool {
+        self.rank.is_some_and(|rank| rank < self.unknowns)
+    }
+}
+
+/// Where unknown `i` of λ = \[normals; tangents\] stands in the vectors of the file.
+pub(super) fn place(dimension: usize, contacts: usize, i: usize) -> usize {
+    let tangents = dimension - 1;
+    match i.checked_sub(contacts) {
+        None => dimension * i,
+        Some(t) => dimension * (t / tangents) + 1 + t % tangents,
+    }
+}
+
+impl Reduced {
+    pub fn new(problem: &Problem) -> Result<Self, ProblemError> {
+        let check = problem.check();
+        check.map_err(|(part, defect)| ProblemError::Part { part, defect })?;
+        let unknowns = problem.unknowns();
+        if unknowns > LARGEST {
+            return Err(ProblemError::TooLarge {
+                unknowns,
+                allowed: LARGEST,
+            });
+        }
+        let (mut w, q, mass) = match problem {
+            Problem::Local(local) => (dense(&local.w), local.q.clone(), None),
+            Problem::Global(global) => {
+                let mass = factor(&global.m)?;
+                let (mut w, mut q) = (Mat::zeros(unknowns, unknowns), global.w.clone());
+                for (column, image) in columns(&global.h).into_iter().enumerate() {
+                    let mut image = image;
+                    mass.solve_in_place(&mut image);
+                    for (row, value) in global.h.transposed_times(&image).into_iter().enumerate() {
+                        w[(row, column)] = value;
+                    }
+                }
+                let mut without = global.f.clone();
+                mass.solve_in_place(&mut without);
+                let velocity = global.h.transposed_times(&without);
+                q.iter_mut().zip(velocity).for_each(|(q, u)| *q += u);
+                (w, q, Some(mass))
+            }
+        };
+        let asymmetry = symmetrise(&mut w);
+        if asymmetry > ASYMMETRY {
+            return Err(ProblemError::Asymmetric {
+                name: "W",
+                asymmetry,
+                allowed: ASYMMETRY,
+            });
+        }
+        let facts = facts(problem, &w, asymmetry);
+        Ok(Self { w, q, facts, mass })
+    }
+
+    /// W in the solver's order.
+    pub fn operator(&self, problem: &Problem) -> Dense {
+        let order = self.q.len();
+        let place = |i| place(problem.dimension(), problem.contacts(), i);
+        let mut packed = PackedLower::zeros(order);
+        for j in 0..order {
+            for i in j..order {
+                packed.set(i, j, self.w[(place(i), place(j))]);
+            }
+        }
+        Dense::new(packed)
+    }
+
+    /// u and v from r, by the matrices of the file.
+    pub fn velocities(&self, problem: &Problem, forces: &[f64]) -> (Vec<f64>, Option<Vec<f64>>) {
+        let sum =
+            |a: Vec<f64>, b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + b).collect() };
+        match (problem, &self.mass) {
+            (Problem::Global(global), Some(mass)) => {
+                let mut v = sum(global.h.times(forces), &global.f);
+                mass.solve_in_place(&mut v);
+                let u = sum(global.h.transposed_times(&v), &global.w);
+                (u, Some(v))
+            }
+            (Problem::Local(local), _) => (sum(local.w.times(forces), &local.q), None),
+            (Problem::Global(_), None) => unreachable!("M of a global problem has been factored"),
+        }
+    }
+}
+
+fn facts(problem: &Problem, w: &Mat<f64>, asymmetry: f64) -> MatrixFacts {
+    let unknowns = problem.unknowns();
+    let eigenvalues = (0 < unknowns && unknowns <= LARGEST_SPECTRUM)
+        .then(|| w.self_adjoint_eigenvalues(Side::Lower).ok())
+        .flatten();
+    let largest = eigenvalues
+        .as_ref()
+        .and_then(|values| values.last().copied());
+    let zero = largest.map(|largest| ZERO * unknowns as f64 * largest);
+    let rank = eigenvalues.as_ref().zip(zero);
+    MatrixFacts {
+        unknowns,
+        entries: match problem {
+            Problem::Local(local) => local.w.entries().len(),
+            Problem::Global(_) => unknowns * unknowns,
+        },
+        asymmetry,
+        rank: rank.map(|(values, zero)| values.iter().filter(|&&value| value > zero).count()),
+        smallest_eigenvalue: eigenvalues
+            .as_ref()
+            .and_then(|values| values.first().copied()),
+        largest_eigenvalue: largest,
+    }
+}
+
+fn dense(matrix: &Matrix) -> Mat<f64> {
+    let mut full = Mat::zeros(matrix.rows(), matrix.columns());
+    for &(row, column, value) in matrix.entries() {
+        full[(row, column)] = value;
+    }
+    full
+}
+
+fn columns(matrix: &Matrix) -> Vec<Vec<f64>> {
+    let mut columns = vec![vec![0.0; matrix.rows()]; matrix.columns()];
+    for &(row, column, value) in matrix.entries() {
+        columns[column][row] = value;
+    }
+    columns
+}
+
+/// A ← ½(A + Aᵀ); returns max |A − Aᵀ| / (2 max |A|), 0 for A = 0.
+fn symmetrise(a: &mut Mat<f64>) -> f64 {
+    let (mut largest, mut difference) = (0.0_f64, 0.0_f64);
+    for j in 0..a.ncols() {
+        largest = largest.max(a[(j, j)].abs());
+        for i in j + 1..a.nrows() {
+            let (below, above) = (a[(i, j)], a[(j, i)]);
+            largest = largest.max(below.abs()).max(above.abs());
+            difference = difference.max((below - above).abs());
+            let mean = 0.5 * (below + above);
+            a[(i, j)] = mean;
+            a[(j, i)] = mean;
+        }
+    }
+    if largest > 0.0 {
+        difference / (2.0 * largest)
+    } else {
+        0.0
+    }
+}
+
+/// The factor of ½(M + Mᵀ).
+fn factor(m: &Matrix) -> Result<SparseCholesky, ProblemError> {
+    let largest = m.entries().iter().fold(0.0_f64, |a, e| a.max(e.2.abs()));
+    // Every entry goes in half, and half into its mirror image: what is on the diagonal twice.
+    let halves = m
+        .entries()
+        .iter()
+        .flat_map(|&(row, column, value)| [(row, column, 0.5 * value), (column, row, 0.5 * value)]);
+    let mut symmetric = std::collections::BTreeMap::<(usize, usize), [f64; 2]>::new();
+    for (index, (row, column, value)) in halves.enumerate() {
+        symmetric.entry((column, row)).or_default()[index % 2] += value;
+    }
+    let differs = |halves: &[f64; 2]| (halves[0] - halves[1]).abs();
+    let asymmetry =
+        symmetric.values().map(differs).fold(0.0, f64::max) / largest.max(f64::MIN_POSITIVE);
+    if asymmetry > ASYMMETRY {
+        return Err(ProblemError::Asymmetric {
+            name: "M",
+            asymmetry,
+            allowed: ASYMMETRY,
+        });
+    }
+    let lower: Vec<_> = symmetric
+        .into_iter()
+        .filter(|((column, row), _)| row >= column)
+        .map(|((column, row), halves)| Triplet::new(row, column, halves[0] + halves[1]))
+        .collect();
+    let Ok(lower) = SparseColMat::try_new_from_triplets(m.rows(), m.rows(), &lower) else {
+        unreachable!("the entries of a checked matrix lie inside")
+    };
+    let symmetric = SymmetricMatrix::from_lower(lower);
+    let ordering = Ordering::nested_dissection(&symmetric)?;
+    let all = Parallelism::Threads(rayon::current_num_threads());
+    Ok(SparseCholesky::factor(&symmetric, ordering, all)?)
+}

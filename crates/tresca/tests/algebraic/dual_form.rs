@@ -1,0 +1,125 @@
+//! A, b and bounds alone give the forces of the problem that they come from.
+
+use tresca::Silent;
+use tresca::algebraic::{Dual, Operator, Problem, solve_dual};
+
+use super::common::*;
+
+/// A = B K⁻¹ Bᵀ (dense, by rows) and b = B K⁻¹ f − [d; s].
+fn dual_of(problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+    let k = whole(&problem.stiffness);
+    let n = k.rows();
+    let dense = faer::Mat::from_fn(n, n, |i, j| {
+        k.row(i)
+            .find(|(column, _)| *column == j)
+            .map_or(0.0, |(_, value)| value)
+    });
+    let factor = dense.llt(faer::Side::Lower).unwrap();
+    use faer::linalg::solvers::Solve;
+    let t = problem.tangential.as_ref().unwrap();
+    let rows = problem.normal.rows() + t.rows();
+    let row = |i: usize| {
+        let (matrix, i) = match i.checked_sub(problem.normal.rows()) {
+            None => (&problem.normal, i),
+            Some(i) => (t, i),
+        };
+        let mut dense = vec![0.0; n];
+        matrix.row(i).for_each(|(j, value)| dense[j] = value);
+        dense
+    };
+    let b = faer::Mat::from_fn(rows, n, |i, j| row(i)[j]);
+    let solved = factor.solve(b.transpose());
+    let a = &b * &solved;
+    let f = faer::Mat::from_fn(n, 1, |i, _| problem.conditions.load[i]);
+    let free = &b * factor.solve(&f);
+    let gap = problem.conditions.gap.clone().unwrap();
+    let slip = problem
+        .conditions
+        .previous_slip
+        .clone()
+        .unwrap_or_else(|| vec![0.0; t.rows()]);
+    let shift = [gap, slip].concat();
+    let values = (0..rows * rows).map(|k| a[(k / rows, k % rows)]).collect();
+    (values, (0..rows).map(|i| free[(i, 0)] - shift[i]).collect())
+}
+
+#[test]
+fn dense_and_as_a_function() {
+    for tangents in [1, 2] {
+        for laws in CONVEX.into_iter().chain([Laws::Coulomb]) {
+            let problem = random(laws, tangents, 0, 8);
+            let expected = solved(&problem, &tight());
+            let (a, b) = dual_of(&problem);
+            let order = b.len();
+            let diagonal: Vec<f64> = (0..order).map(|i| a[order * i + i]).collect();
+            let function = {
+                let a = a.clone();
+                move |x: &[f64], y: &mut [f64]| {
+                    for (row, y) in a.chunks_exact(order).zip(y) {
+                        *y = row.iter().zip(x).map(|(a, x)| a * x).sum();
+                    }
+                }
+            };
+            let with_diagonal = match Operator::product(order, function.clone()) {
+                Operator::Product { order, apply, .. } => Operator::Product {
+                    order,
+                    apply,
+                    diagonal: Some(diagonal),
+                },
+                dense => dense,
+            };
+            for operator in [
+                Operator::dense(order, &a).unwrap(),
+                Operator::product(order, function),
+                with_diagonal,
+            ] {
+                let dual = Dual::new(
+                    operator,
+                    b.clone(),
+                    tangents,
+                    problem.conditions.friction.clone(),
+                );
+                let solution = solve_dual(dual, &tight(), &mut Silent).unwrap();
+                let what = format!("{laws:?}, {tangents} tangents");
+                assert!(solution.converged(), "{what}: {}", solution.status);
+                assert!(solution.displacement.is_empty());
+                assert_close(&solution.normal_force, &expected.normal_force, 1e-8, &what);
+                assert_close(&solution.gap, &expected.gap, 1e-8, &what);
+                assert_close(&solution.slip, &expected.slip, 1e-8, &what);
+                assert_eq!(solution.closed, expected.closed, "{what}");
+                assert_eq!(solution.stick, expected.stick, "{what}");
+                assert!(
+                    solution.certificate.worst() < 1e-7,
+                    "{what}: {:#?}",
+                    solution.certificate
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_start_at_the_solution_ends_at_once() {
+    for laws in [Laws::Tresca, Laws::Orthotropic, Laws::Coulomb] {
+        let problem = random(laws, 2, 0, 4);
+        let settings = tresca::Settings {
+            tolerance: 1e-9,
+            ..tight()
+        };
+        let first = solved(&problem, &tight());
+        let (a, b) = dual_of(&problem);
+        let dual = Dual::new(
+            Operator::dense(b.len(), &a).unwrap(),
+            b,
+            2,
+            problem.conditions.friction.clone(),
+        );
+        let again = solve_dual(dual.with_start(first.forces()), &settings, &mut Silent).unwrap();
+        assert!(again.converged());
+        assert!(
+            again.iterations <= 2,
+            "{laws:?}: {} iterations",
+            again.iterations
+        );
+    }
+}
