@@ -117,6 +117,25 @@ pub enum FemError {
         /// The local face it names.
         local: usize,
     },
+    /// A node set names a node that does not exist.
+    #[error("node set \"{set}\" names node {node}, but the mesh has {count} nodes")]
+    NodeOfSetOutOfRange {
+        /// The node set.
+        set: String,
+        /// The node it names.
+        node: usize,
+        /// Number of nodes of the mesh.
+        count: usize,
+    },
+    /// A name that no kind of cells has.
+    #[error(
+        "there are no cells of kind \"{name}\"; known are {}",
+        CellKind::ALL.map(CellKind::name).join(", ")
+    )]
+    UnknownCellKind {
+        /// The name given.
+        name: String,
+    },
     /// A face set that the mesh does not have.
     #[error("there is no face set \"{name}\"; the mesh has: {}", known.join(", "))]
     UnknownFaceSet {

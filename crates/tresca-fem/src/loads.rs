@@ -22,7 +22,7 @@ pub fn traction(mesh: &Mesh, faces: &[Face], traction: [f64; 3]) -> Vec<f64> {
         .collect()
 }
 
-/// f_a = ∫ φ_a t dΓ for a traction t (force per area) that depends on the point, by each face's full
+/// f_a = ∫ φ_a t dΓ for a traction t (force per area) that depends on the point, by each face's mass
 /// rule. What is no finite number enters the load as it is.
 pub fn traction_field(
     mesh: &Mesh,
@@ -48,7 +48,7 @@ pub fn pressure(mesh: &Mesh, faces: &[Face], pressure: f64) -> Vec<f64> {
     pressure_field(mesh, faces, |_| pressure)
 }
 
-/// f_a = −∫ φ_a p n dΓ for a pressure p that depends on the point, by each face's full rule.
+/// f_a = −∫ φ_a p n dΓ for a pressure p that depends on the point, by each face's mass rule.
 pub fn pressure_field(mesh: &Mesh, faces: &[Face], pressure: impl Fn([f64; 3]) -> f64) -> Vec<f64> {
     let d = mesh.dimension();
     let mut load = vec![0.0; mesh.dof_count()];
@@ -90,12 +90,12 @@ pub fn nodal_area_vectors(mesh: &Mesh, faces: &[Face]) -> Vec<[f64; 3]> {
     areas
 }
 
-/// f_a = ∫ φ_a b dΩ for a body force b (force per volume) given at points, by each cell's full rule.
+/// f_a = ∫ φ_a b dΩ for a body force b (force per volume) given at points, by each cell's mass rule.
 pub fn body_force(mesh: &Mesh, density: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
     let d = mesh.dimension();
     let mut load = vec![0.0; mesh.dof_count()];
     for block in &mesh.cells {
-        let table = ShapeTable::full(block.kind);
+        let table = ShapeTable::mass(block.kind);
         let mut points = vec![[0.0; 3]; table.nodes];
         for nodes in block.cells() {
             gather_points(mesh, nodes, &mut points);

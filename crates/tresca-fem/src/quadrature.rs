@@ -1,5 +1,6 @@
-//! Quadrature on the line, square and cube [−1, 1]^d (Gauss–Legendre) and on the triangle
-//! ξ, η ≥ 0, ξ + η ≤ 1.
+//! Quadrature on the line, square and cube [−1, 1]^d (Gauss–Legendre), on the triangle
+//! ξ, η ≥ 0, ξ + η ≤ 1, the tetrahedron ξ, η, ζ ≥ 0, ξ + η + ζ ≤ 1, and the wedge (triangle times
+//! line). All weights are positive, all points inside.
 
 /// Points and weights of a quadrature rule on a reference element.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,8 +104,9 @@ pub fn gauss_cube(n: usize) -> Rule {
 }
 
 /// A rule on the triangle that is exact for polynomials of the given total degree: the centroid up
-/// to degree 1, three points inside for degree 2, beyond that Gauss–Legendre points on the square
-/// collapsed to the triangle. All weights are positive, all points inside.
+/// to degree 1, three points inside for degree 2, six up to degree 4 (Strang, Fix: *An Analysis of the
+/// Finite Element Method*, table 4.1), beyond that Gauss–Legendre points on the square collapsed to
+/// the triangle.
 pub fn triangle(degree: usize) -> Rule {
     let third = 1.0 / 3.0;
     let sixth = 1.0 / 6.0;
@@ -121,6 +123,22 @@ pub fn triangle(degree: usize) -> Rule {
             ],
             weights: vec![sixth; 3],
         },
+        3 | 4 => {
+            let root = (38.0 - 44.0 * 0.4f64.sqrt()).sqrt();
+            let weight_root = (213_125.0 - 53_320.0 * 10f64.sqrt()).sqrt();
+            let mut rule = Rule {
+                points: Vec::with_capacity(6),
+                weights: Vec::with_capacity(6),
+            };
+            for sign in [1.0, -1.0] {
+                let a = (8.0 - 10f64.sqrt() + sign * root) / 18.0;
+                let b = 1.0 - 2.0 * a;
+                rule.points.extend([[a, a, 0.0], [b, a, 0.0], [a, b, 0.0]]);
+                let weight = (620.0 + sign * weight_root) / 7440.0;
+                rule.weights.extend([weight; 3]);
+            }
+            rule
+        }
         // ξ = s (1 − t), η = t with s, t in [0, 1]; the Jacobian 1 − t raises the degree in t by one.
         _ => {
             let square = gauss_square(degree.div_ceil(2) + 1);
@@ -136,6 +154,83 @@ pub fn triangle(degree: usize) -> Rule {
             Rule { points, weights }
         }
     }
+}
+
+/// A rule on the tetrahedron that is exact for polynomials of the given total degree: the centroid up
+/// to degree 1, four points for degree 2, fourteen up to degree 5 (Walkington, *Quadrature on simplices
+/// of arbitrary dimension*, 2000), beyond that Gauss–Legendre points in the cube collapsed to the
+/// tetrahedron.
+pub fn tetrahedron(degree: usize) -> Rule {
+    /// The four points (a, a, a, 1 − 3a) in barycentric coordinates.
+    fn around_corners(a: f64) -> [[f64; 3]; 4] {
+        let b = 1.0 - 3.0 * a;
+        [[a, a, a], [b, a, a], [a, b, a], [a, a, b]]
+    }
+    match degree {
+        0 | 1 => Rule {
+            points: vec![[0.25; 3]],
+            weights: vec![1.0 / 6.0],
+        },
+        2 => Rule {
+            points: around_corners((5.0 - 5f64.sqrt()) / 20.0).to_vec(),
+            weights: vec![1.0 / 24.0; 4],
+        },
+        3..=5 => {
+            // The six points (c, c, d, d), c + d = ½.
+            let c = 0.045_503_704_125_649_65;
+            let d = 0.5 - c;
+            let mut rule = Rule {
+                points: vec![
+                    [d, d, c],
+                    [d, c, d],
+                    [c, d, d],
+                    [d, c, c],
+                    [c, d, c],
+                    [c, c, d],
+                ],
+                weights: vec![0.007_091_003_462_846_911; 6],
+            };
+            for (a, weight) in [
+                (0.310_885_919_263_300_6, 0.018_781_320_953_002_643),
+                (0.092_735_250_310_891_23, 0.012_248_840_519_393_659),
+            ] {
+                rule.points.extend(around_corners(a));
+                rule.weights.extend([weight; 4]);
+            }
+            rule
+        }
+        // ξ = s (1 − t)(1 − r), η = t (1 − r), ζ = r with r, s, t in [0, 1]; the Jacobian
+        // (1 − t)(1 − r)² raises the degree in r by two.
+        _ => {
+            let cube = gauss_cube((degree + 3).div_ceil(2));
+            let (points, weights) = cube
+                .points
+                .iter()
+                .zip(&cube.weights)
+                .map(|(x, w)| {
+                    let [s, t, r] = x.map(|x| 0.5 * (1.0 + x));
+                    let (t1, r1) = (1.0 - t, 1.0 - r);
+                    ([s * t1 * r1, t * r1, r], 0.125 * w * t1 * r1 * r1)
+                })
+                .unzip();
+            Rule { points, weights }
+        }
+    }
+}
+
+/// A rule on the wedge: [`triangle`] of the given degree in ξ, η, times `n` Gauss–Legendre points in ζ,
+/// triangle first.
+pub fn wedge(degree: usize, n: usize) -> Rule {
+    let triangle = triangle(degree);
+    let (points, weights) = gauss_legendre(n)
+        .into_iter()
+        .flat_map(|(z, wz)| {
+            let flat = triangle.points.iter().zip(&triangle.weights);
+            flat.map(move |(&[x, y, _], w)| ([x, y, z], w * wz))
+                .collect::<Vec<_>>()
+        })
+        .unzip();
+    Rule { points, weights }
 }
 
 #[cfg(test)]
@@ -194,6 +289,46 @@ mod tests {
         }
         assert!((triangle(1).integrate(|[x, _, _]| x * x) - 1.0 / 12.0).abs() > 1e-2);
         assert!((triangle(2).integrate(|[x, _, _]| x.powi(3)) - 1.0 / 20.0).abs() > 1e-4);
+        assert!((triangle(4).integrate(|[x, _, _]| x.powi(5)) - 1.0 / 42.0).abs() > 1e-5);
+        assert_eq!(triangle(4).points.len(), 6);
+    }
+
+    #[test]
+    fn tetrahedron_rules_integrate_their_degree() {
+        // ∫ ξ^i η^j ζ^k = i! j! k! / (i + j + k + 3)!
+        let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
+        for degree in 0..=8 {
+            let rule = tetrahedron(degree as usize);
+            assert!(rule.weights.iter().all(|&w| w > 0.0));
+            let inside = |p: &[f64; 3]| p.iter().all(|&x| x > 0.0) && p.iter().sum::<f64>() < 1.0;
+            assert!(rule.points.iter().all(inside));
+            for i in 0..=degree {
+                for j in 0..=degree - i {
+                    for k in 0..=degree - i - j {
+                        let exact =
+                            factorial(i) * factorial(j) * factorial(k) / factorial(i + j + k + 3);
+                        let value = rule.integrate(|[x, y, z]| x.powi(i) * y.powi(j) * z.powi(k));
+                        assert!(
+                            (value - exact).abs() < 1e-15,
+                            "degree {degree}: {i}, {j}, {k}"
+                        );
+                    }
+                }
+            }
+        }
+        assert_eq!(tetrahedron(2).points.len(), 4);
+        assert_eq!(tetrahedron(5).points.len(), 14);
+        assert!((tetrahedron(2).integrate(|[x, _, _]| x.powi(3)) - 1.0 / 120.0).abs() > 1e-5);
+        let sixth = factorial(6) / factorial(9);
+        assert!((tetrahedron(5).integrate(|[x, _, _]| x.powi(6)) - sixth).abs() > 1e-6);
+    }
+
+    #[test]
+    fn wedge_rules_are_products() {
+        let rule = wedge(4, 2);
+        let value = rule.integrate(|[x, y, z]| x * x * y * y * (z * z + z.powi(3)));
+        // 2! 2! / 6! · 2/3
+        assert!((value - 4.0 / 720.0 * 2.0 / 3.0).abs() < 1e-16);
     }
 
     #[test]

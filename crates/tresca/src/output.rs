@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
-use tresca_fem::mesh::Mesh;
+use tresca_fem::mesh::{CellKind, Mesh};
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
 use tresca_io::case::LAWS;
@@ -253,11 +253,16 @@ fn write_contact(
     let mut index = Vec::new();
     let mut laws = Vec::new();
     // Lines, triangles and quadrilaterals between the pairs.
-    let mut cells: [(CellShape, Vec<usize>); 3] = [
-        (CellShape::Line, Vec::new()),
-        (CellShape::Triangle, Vec::new()),
-        (CellShape::Quad, Vec::new()),
-    ];
+    let mut cells = [
+        CellKind::Line2,
+        CellKind::Line3,
+        CellKind::Tri3,
+        CellKind::Tri6,
+        CellKind::Quad4,
+        CellKind::Quad8,
+        CellKind::Quad9,
+    ]
+    .map(|kind| (CellShape::from(kind), Vec::new()));
     let mut first = 0;
     for (number, (contact, pairs)) in model.contacts().iter().zip(&step.contacts).enumerate() {
         let end = index.len() + pairs.len();

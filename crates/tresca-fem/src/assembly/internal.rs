@@ -49,7 +49,7 @@ fn forces_of_block(
     u: &[f64],
 ) -> Result<Vec<[f64; 3]>, FemError> {
     let space = mesh.space;
-    let table = ShapeTable::full(block.kind);
+    let table = ShapeTable::stiffness(block.kind);
     let n = table.nodes;
     let mut forces = vec![[0.0; 3]; block.connectivity.len()];
     let inverted = forces

@@ -35,7 +35,7 @@ impl<const N: usize, const D: usize> Kernel<N, D> {
             space,
             lambda: material.effective_lambda(),
             mu: material.mu(),
-            table: ShapeTable::full(kind),
+            table: ShapeTable::stiffness(kind),
             products: [[[0.0; N]; N]; 6],
         }
     }

@@ -1,7 +1,7 @@
 //! Assembly of the stiffness matrix and of internal forces.
 //!
-//! K_(ai)(bj) = ∫ ε(φ_a e_i) : C : ε(φ_b e_j) dΩ over the free dofs, with the full rule of every
-//! element. How it is done:
+//! K_(ai)(bj) = ∫ ε(φ_a e_i) : C : ε(φ_b e_j) dΩ over the free dofs, with the stiffness rule of
+//! every element. How it is done:
 //!
 //! 1. The nodes are cut into ranges; each range owns its columns of K, which are contiguous.
 //! 2. Each range finds its pattern from the cells around its nodes.
@@ -135,10 +135,20 @@ fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Res
     let mut first = 0;
     for block in &mesh.cells {
         match block.kind {
-            CellKind::Hex8 => fill_block::<8, 3>(mesh, block, first, material, &mut columns)?,
-            CellKind::Quad4 => fill_block::<4, 2>(mesh, block, first, material, &mut columns)?,
             CellKind::Tri3 => fill_block::<3, 2>(mesh, block, first, material, &mut columns)?,
-            CellKind::Line2 => unreachable!("lines fill no body of a valid mesh"),
+            CellKind::Tri6 => fill_block::<6, 2>(mesh, block, first, material, &mut columns)?,
+            CellKind::Quad4 => fill_block::<4, 2>(mesh, block, first, material, &mut columns)?,
+            CellKind::Quad8 => fill_block::<8, 2>(mesh, block, first, material, &mut columns)?,
+            CellKind::Quad9 => fill_block::<9, 2>(mesh, block, first, material, &mut columns)?,
+            CellKind::Tet4 => fill_block::<4, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Tet10 => fill_block::<10, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Wedge6 => fill_block::<6, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Hex8 => fill_block::<8, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Hex20 => fill_block::<20, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Hex27 => fill_block::<27, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Line2 | CellKind::Line3 => {
+                unreachable!("lines fill no body of a valid mesh")
+            }
         }
         first += block.len();
     }

@@ -1,8 +1,11 @@
 //! What every element must satisfy, in one call.
 
 use super::{Element, ShapeTable, interpolate, jacobian};
+use crate::assembly::stiffness;
+use crate::dofs::DofMap;
+use crate::material::Isotropic;
 use crate::mesh::{CellBlock, CellKind, Face, Mesh, Space, cell_determinant};
-use crate::quadrature::{Rule, gauss_cube, gauss_line, gauss_square, triangle};
+use crate::quadrature::{Rule, gauss_cube, gauss_line, gauss_square, tetrahedron, triangle, wedge};
 use std::collections::BTreeMap;
 
 /// Runs the whole list on an element.
@@ -17,6 +20,7 @@ fn check(kind: CellKind) {
     }
     kronecker_property(element);
     rules_have_the_reference_measure(kind);
+    corners_are_those_of_the_linear_kind(kind);
     faces_are_faces(kind);
     for map in [shear, perturb] {
         let points: Vec<[f64; 3]> = element.nodes().iter().map(|&xi| map(d, xi)).collect();
@@ -26,28 +30,25 @@ fn check(kind: CellKind) {
             faces_look_outwards(kind, points);
         }
     }
-    mass_is_exact_on_an_affine_cell(kind);
+    mass_and_stiffness_are_exact_on_an_affine_cell(kind);
+    if d > 1 {
+        rigid_motions_alone_cost_no_energy(kind);
+    }
 }
 
-#[test]
-fn line2() {
-    check(CellKind::Line2);
+macro_rules! conforms {
+    ($($name:ident: $kind:ident),*) => {
+        $(#[test]
+        fn $name() {
+            check(CellKind::$kind);
+        })*
+    };
 }
 
-#[test]
-fn tri3() {
-    check(CellKind::Tri3);
-}
-
-#[test]
-fn quad4() {
-    check(CellKind::Quad4);
-}
-
-#[test]
-fn hex8() {
-    check(CellKind::Hex8);
-}
+conforms!(
+    line2: Line2, line3: Line3, tri3: Tri3, tri6: Tri6, quad4: Quad4, quad8: Quad8, quad9: Quad9,
+    tet4: Tet4, tet10: Tet10, wedge6: Wedge6, hex8: Hex8, hex20: Hex20, hex27: Hex27
+);
 
 /// Some points of no symmetry.
 fn test_points(d: usize) -> Vec<[f64; 3]> {
@@ -77,9 +78,9 @@ fn shear(d: usize, xi: [f64; 3]) -> [f64; 3] {
 fn perturb(d: usize, xi: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = xi;
     let bend = [
-        0.13 * y * z + 0.1 * x * y,
+        0.13 * y * z + 0.1 * x * y + 0.04 * y * y,
         0.1 * x * y - 0.07 * z * x,
-        0.09 * x * y * z - 0.08 * y,
+        0.09 * x * y * z - 0.08 * y + 0.05 * x * x,
     ];
     let sheared = shear(d, xi);
     std::array::from_fn(|i| if i < d { sheared[i] + bend[i] } else { 0.0 })
@@ -149,25 +150,43 @@ fn linear_fields_are_reproduced(element: &dyn Element, xi: [f64; 3]) {
 
 fn rules_have_the_reference_measure(kind: CellKind) {
     let element = kind.element();
-    let measure = match kind {
-        CellKind::Tri3 => 0.5,
+    let measure = match kind.linear() {
         CellKind::Line2 => 2.0,
+        CellKind::Tri3 => 0.5,
         CellKind::Quad4 => 4.0,
-        CellKind::Hex8 => 8.0,
+        CellKind::Tet4 => 1.0 / 6.0,
+        CellKind::Wedge6 => 1.0,
+        _ => 8.0,
     };
-    for rule in [element.rule(), element.stress_points()] {
+    for rule in [element.rule(), element.mass_rule(), element.stress_points()] {
         assert_eq!(rule.points.len(), rule.weights.len());
-        assert!((rule.weights.iter().sum::<f64>() - measure).abs() < 1e-14);
+        assert!((rule.weights.iter().sum::<f64>() - measure).abs() < 1e-14 * measure.max(1.0));
         assert!(rule.weights.iter().all(|&w| w > 0.0));
     }
 }
 
-/// Each face has as many nodes as its own element, and together they meet every node.
+/// The first nodes are the linear kind's, and the others lie amid some of them.
+fn corners_are_those_of_the_linear_kind(kind: CellKind) {
+    let (nodes, linear) = (kind.element().nodes(), kind.linear());
+    assert_eq!(nodes[..kind.corner_count()], *linear.element().nodes());
+    for &xi in &nodes[kind.corner_count()..] {
+        let corners = shape(linear.element(), xi);
+        let amid: Vec<f64> = corners.into_iter().filter(|&v| v != 0.0).collect();
+        assert!(amid.len() > 1 && amid.iter().all(|&v| v == 1.0 / amid.len() as f64));
+    }
+}
+
+/// Each face has as many nodes as its own element, and together they meet every node but one in the
+/// middle of the cell.
 fn faces_are_faces(kind: CellKind) {
     let mut met = vec![false; kind.node_count()];
-    for face in kind.faces() {
+    let linear = kind.linear();
+    assert_eq!(kind.faces().len(), linear.faces().len());
+    for (face, of_linear) in kind.faces().iter().zip(linear.faces()) {
+        assert_eq!(face.nodes[..face.kind.corner_count()], *of_linear.nodes);
         assert_eq!(face.kind.dimension() + 1, kind.dimension());
         assert_eq!(face.nodes.len(), face.kind.node_count());
+        assert_eq!(face.kind.order(), kind.order());
         // On the reference element the face's shape functions interpolate the cell's nodes: the
         // cell's shape functions restricted to the face are the face's.
         let corners: Vec<[f64; 3]> = face
@@ -186,7 +205,9 @@ fn faces_are_faces(kind: CellKind) {
         }
         face.nodes.iter().for_each(|&a| met[a] = true);
     }
-    assert!(kind.faces().is_empty() || met.iter().all(|&m| m));
+    let inside = usize::from(matches!(kind, CellKind::Quad9 | CellKind::Hex27));
+    let unmet = met.iter().filter(|&&m| !m).count();
+    assert!(kind.faces().is_empty() || unmet == inside);
 }
 
 /// Physical gradients by solving J^T g = ∇_ξ φ with Cramer's rule in d dimensions.
@@ -228,11 +249,13 @@ fn rigid_motions_cause_no_strain(kind: CellKind, points: &[[f64; 3]]) {
 
 /// A rule of so many points that the test's integrands are integrated exactly.
 fn fine_rule(kind: CellKind) -> Rule {
-    match kind {
+    match kind.linear() {
         CellKind::Line2 => gauss_line(8),
         CellKind::Tri3 => triangle(14),
         CellKind::Quad4 => gauss_square(8),
-        CellKind::Hex8 => gauss_cube(8),
+        CellKind::Tet4 => tetrahedron(14),
+        CellKind::Wedge6 => wedge(14, 8),
+        _ => gauss_cube(8),
     }
 }
 
@@ -252,39 +275,105 @@ fn volume_is_exact(kind: CellKind, points: &[[f64; 3]]) {
             .map(|q| table.weights[q] * determinant(kind, table.gradients(q), points))
             .sum::<f64>()
     };
-    let (full, fine) = (volume(&kind.element().rule()), volume(&fine_rule(kind)));
+    let (full, fine) = (
+        volume(&kind.element().mass_rule()),
+        volume(&fine_rule(kind)),
+    );
     assert!(
         full > 0.0 && (full - fine).abs() < 1e-13 * fine,
         "{kind}: {full} against {fine}"
     );
 }
 
-/// ∫ φ_a φ_b dΩ by the full rule against a fine one.
-fn mass_is_exact_on_an_affine_cell(kind: CellKind) {
-    let points: Vec<[f64; 3]> = kind
-        .element()
-        .nodes()
-        .iter()
-        .map(|&xi| shear(kind.dimension(), xi))
-        .collect();
-    let mass = |rule: &Rule, a: usize, b: usize| {
+/// ∫ φ_a φ_b dΩ by the mass rule, and ∫ ∂_i φ_a ∂_j φ_b dΩ by the stiffness rule, against a fine one.
+fn mass_and_stiffness_are_exact_on_an_affine_cell(kind: CellKind) {
+    let (n, d) = (kind.node_count(), kind.dimension());
+    let nodes = kind.element().nodes().iter();
+    let points: Vec<[f64; 3]> = nodes.map(|&xi| shear(d, xi)).collect();
+    // The matrices by rows: φφ first, then the pairs of reference gradients, which differ from the
+    // physical ones by a constant matrix.
+    let matrices = |rule: &Rule, stiffness: bool| {
         let table = ShapeTable::new(kind, rule);
-        (0..table.len())
-            .map(|q| {
-                let values = table.values(q);
-                table.weights[q]
-                    * determinant(kind, table.gradients(q), &points)
-                    * values[a]
-                    * values[b]
-            })
-            .sum::<f64>()
+        let mut sums = Vec::new();
+        for (i, j) in (0..d).flat_map(|i| (0..d).map(move |j| (i, j))) {
+            for (a, b) in (0..n).flat_map(|a| (0..n).map(move |b| (a, b))) {
+                let of_point = |q: usize| {
+                    let product = if stiffness {
+                        table.gradients(q)[a][i] * table.gradients(q)[b][j]
+                    } else {
+                        table.values(q)[a] * table.values(q)[b]
+                    };
+                    table.weights[q] * determinant(kind, table.gradients(q), &points) * product
+                };
+                sums.push((0..table.len()).map(of_point).sum::<f64>());
+            }
+            if !stiffness {
+                return sums;
+            }
+        }
+        sums
     };
-    for a in 0..kind.node_count() {
-        for b in 0..=a {
-            let fine = mass(&fine_rule(kind), a, b);
-            assert!((mass(&kind.element().rule(), a, b) - fine).abs() < 1e-13);
+    for (rule, stiffness) in [
+        (kind.element().rule(), true),
+        (kind.element().mass_rule(), false),
+    ] {
+        let (found, fine) = (
+            matrices(&rule, stiffness),
+            matrices(&fine_rule(kind), stiffness),
+        );
+        let largest = fine.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+        for (found, fine) in found.into_iter().zip(fine) {
+            assert!(
+                (found - fine).abs() < 1e-13 * largest,
+                "{kind}: {found} {fine}"
+            );
         }
     }
+}
+
+/// The stiffness of one free cell, straight or not, has the kernel of rigid motions: six zero
+/// eigenvalues in space, three in the plane, one in an axisymmetric space.
+fn rigid_motions_alone_cost_no_energy(kind: CellKind) {
+    let spaces: &[(Space, usize)] = match kind.dimension() {
+        2 => &[(Space::Plane, 3), (Space::Axisymmetric, 1)],
+        _ => &[(Space::Solid, 6)],
+    };
+    for map in [shear, perturb] {
+        for &(space, motions) in spaces {
+            let nodes = kind.element().nodes().iter();
+            // Off the axis of revolution.
+            let off =
+                |[x, y, z]: [f64; 3]| [x + if space == Space::Solid { 0.0 } else { 5.0 }, y, z];
+            let points: Vec<_> = nodes.map(|&xi| off(map(kind.dimension(), xi))).collect();
+            let dofs = DofMap::unsupported(points.len(), space.dimension());
+            let mesh = one_cell(space, kind, points);
+            let k = stiffness(&mesh, &Isotropic::new(1.0, 0.3).unwrap(), &dofs).unwrap();
+            let n = k.order();
+            let mut matrix = faer::Mat::zeros(n, n);
+            for j in 0..n {
+                for (i, &value) in k.lower().row_idx_of_col(j).zip(k.lower().val_of_col(j)) {
+                    matrix[(i, j)] = value;
+                }
+            }
+            let values = matrix.self_adjoint_eigenvalues(faer::Side::Lower).unwrap();
+            let zero = |x: &&f64| x.abs() < 1e-12 * values[n - 1];
+            assert_eq!(
+                values.iter().filter(zero).count(),
+                motions,
+                "{kind} {space}"
+            );
+            assert!(
+                values[motions] > 1e-4 * values[n - 1],
+                "{kind} {space}: {values:?}"
+            );
+        }
+    }
+}
+
+fn one_cell(space: Space, kind: CellKind, points: Vec<[f64; 3]>) -> Mesh {
+    let connectivity = (0..points.len()).collect();
+    let block = CellBlock { kind, connectivity };
+    Mesh::new(space, points, vec![block], BTreeMap::new()).unwrap()
 }
 
 /// ∫ x·n over each face is what the divergence theorem needs, and each face's area vector points
@@ -294,12 +383,8 @@ fn faces_look_outwards(kind: CellKind, points: Vec<[f64; 3]>) {
     let n = points.len();
     let center: [f64; 3] =
         std::array::from_fn(|i| points.iter().map(|p| p[i]).sum::<f64>() / n as f64);
-    let block = CellBlock {
-        kind,
-        connectivity: (0..n).collect(),
-    };
     let space = if d == 2 { Space::Plane } else { Space::Solid };
-    let mesh = Mesh::new(space, points, vec![block], BTreeMap::new()).unwrap();
+    let mesh = one_cell(space, kind, points);
     let mut flux = 0.0;
     for local in 0..kind.faces().len() {
         let face = Face { cell: 0, local };

@@ -1,23 +1,46 @@
 //! Reference elements: shape functions, their gradients, and faces.
 //!
 //! An element maps its reference domain to a cell by x(ξ) = Σ_a φ_a(ξ) x_a
-//! (isoparametric). Node and face numbering are VTK's.
+//! (isoparametric). Node and face numbering are VTK's: of quadratic elements the corners come first,
+//! numbered like the nodes of the linear element, then the middles of the edges, then the centres of
+//! faces and cell where there are any.
 
 #[cfg(test)]
 mod conformance;
+mod hex20;
+mod hex27;
 mod hex8;
+mod lagrange;
 mod line2;
+mod line3;
 mod mapping;
 mod quad4;
+mod quad8;
+mod quad9;
+mod serendipity;
+mod simplex;
 mod table;
+mod tet10;
+mod tet4;
 mod tri3;
+mod tri6;
+mod wedge6;
 
 pub use hex8::Hex8;
+pub use hex20::Hex20;
+pub use hex27::Hex27;
 pub use line2::Line2;
+pub use line3::Line3;
 pub(crate) use mapping::{inverse_jacobian, physical_gradients};
 pub use quad4::Quad4;
+pub use quad8::Quad8;
+pub use quad9::Quad9;
 pub(crate) use table::{ShapeTable, interpolate, jacobian};
+pub use tet4::Tet4;
+pub use tet10::Tet10;
 pub use tri3::Tri3;
+pub use tri6::Tri6;
+pub use wedge6::Wedge6;
 
 use crate::mesh::CellKind;
 use crate::quadrature::Rule;
@@ -57,9 +80,16 @@ pub trait Element: Sync {
     /// The faces (edges in the plane), empty for a line.
     fn faces(&self) -> &'static [ReferenceFace];
 
-    /// The rule of full integration: exact for the stiffness, and for the mass matrix, of
-    /// an affine cell, and for the volume of any cell.
+    /// The rule of full integration for the stiffness: exact on an affine cell, and of enough points
+    /// that rigid motions alone cost no energy.
     fn rule(&self) -> Rule;
+
+    /// The rule for everything else: exact for the mass matrix of an affine cell, for the volume of any
+    /// cell, and on a face for ∫ φ_a n dΓ, curved or not. Where [`Element::rule`] does as well it is the
+    /// same one; on quadratic simplices, whose stiffness is of lower degree, it has more points.
+    fn mass_rule(&self) -> Rule {
+        self.rule()
+    }
 
     /// Points at which the strain of the discrete solution is of higher accuracy than elsewhere
     /// (Barlow points); stress recovery samples there.
@@ -71,9 +101,18 @@ impl CellKind {
     pub fn element(self) -> &'static dyn Element {
         match self {
             CellKind::Line2 => &Line2,
+            CellKind::Line3 => &Line3,
             CellKind::Tri3 => &Tri3,
+            CellKind::Tri6 => &Tri6,
             CellKind::Quad4 => &Quad4,
+            CellKind::Quad8 => &Quad8,
+            CellKind::Quad9 => &Quad9,
+            CellKind::Tet4 => &Tet4,
+            CellKind::Tet10 => &Tet10,
+            CellKind::Wedge6 => &Wedge6,
             CellKind::Hex8 => &Hex8,
+            CellKind::Hex20 => &Hex20,
+            CellKind::Hex27 => &Hex27,
         }
     }
 

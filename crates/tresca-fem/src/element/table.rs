@@ -33,9 +33,14 @@ impl ShapeTable {
         }
     }
 
-    /// Tabulates `kind` at the points of its full rule.
-    pub fn full(kind: CellKind) -> Self {
+    /// Tabulates `kind` at the points of its stiffness rule.
+    pub fn stiffness(kind: CellKind) -> Self {
         Self::new(kind, &kind.element().rule())
+    }
+
+    /// Tabulates `kind` at the points of its mass rule: for loads, areas and volumes.
+    pub fn mass(kind: CellKind) -> Self {
+        Self::new(kind, &kind.element().mass_rule())
     }
 
     /// Number of points.

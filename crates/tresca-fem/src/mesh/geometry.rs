@@ -52,7 +52,7 @@ impl Mesh {
     pub fn cell_volumes(&self) -> Vec<f64> {
         let mut volumes = Vec::with_capacity(self.cell_count());
         for block in &self.cells {
-            let table = ShapeTable::full(block.kind);
+            let table = ShapeTable::mass(block.kind);
             let mut points = vec![[0.0; 3]; table.nodes];
             for nodes in block.cells() {
                 gather_points(self, nodes, &mut points);
@@ -72,7 +72,7 @@ impl Mesh {
         volumes
     }
 
-    /// Checks that the Jacobian of every cell is positive at all points of its full rule: no cell is
+    /// Checks that the Jacobian of every cell is positive at all points of its stiffness rule: no cell is
     /// turned inside out, collapsed or bent beyond a right angle there.
     ///
     /// # Errors
@@ -80,7 +80,7 @@ impl Mesh {
     pub fn check_cells(&self) -> Result<(), FemError> {
         let mut cell = 0;
         for block in &self.cells {
-            let table = ShapeTable::full(block.kind);
+            let table = ShapeTable::stiffness(block.kind);
             let mut points = vec![[0.0; 3]; table.nodes];
             for nodes in block.cells() {
                 gather_points(self, nodes, &mut points);
@@ -150,12 +150,12 @@ pub(crate) struct FaceTables<'a> {
 }
 
 impl<'a> FaceTables<'a> {
-    /// Tabulates every face kind that occurs in the mesh at its full rule.
+    /// Tabulates every face kind that occurs in the mesh at its mass rule.
     pub fn new(mesh: &'a Mesh) -> Self {
         let mut tables: Vec<(CellKind, ShapeTable)> = Vec::new();
         for face in mesh.cells.iter().flat_map(|block| block.kind.faces()) {
             if tables.iter().all(|(kind, _)| *kind != face.kind) {
-                tables.push((face.kind, ShapeTable::full(face.kind)));
+                tables.push((face.kind, ShapeTable::mass(face.kind)));
             }
         }
         Self { mesh, tables }

@@ -1,4 +1,4 @@
-//! Meshes: points, cells in blocks of one kind, named sets of faces.
+//! Meshes: points, cells in blocks of one kind, named sets of faces and of nodes.
 //!
 //! ```
 //! use tresca_fem::mesh::{BrickSpec, brick};
@@ -14,6 +14,7 @@
 mod brick;
 mod geometry;
 mod grid;
+mod kind;
 mod parts;
 mod rectangle;
 mod space;
@@ -22,6 +23,7 @@ mod topology;
 pub use brick::{BrickSpec, brick};
 pub use geometry::BoundingBox;
 pub(crate) use geometry::{FaceTables, cell_determinant, gather_points};
+pub use kind::CellKind;
 pub use parts::Part;
 pub use rectangle::{RectangleSpec, rectangle};
 pub use space::Space;
@@ -29,31 +31,6 @@ pub use topology::Incidence;
 
 use crate::FemError;
 use std::collections::BTreeMap;
-use std::fmt;
-
-/// Kinds of cells and of their faces, numbered like VTK's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum CellKind {
-    /// Two-node line: the face of plane cells.
-    Line2,
-    /// Linear triangle.
-    Tri3,
-    /// Bilinear quadrilateral: the face of hexahedra.
-    Quad4,
-    /// Trilinear hexahedron.
-    Hex8,
-}
-
-impl fmt::Display for CellKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            CellKind::Line2 => "line2",
-            CellKind::Tri3 => "tri3",
-            CellKind::Quad4 => "quad4",
-            CellKind::Hex8 => "hex8",
-        })
-    }
-}
 
 /// Cells of one kind.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,10 +92,12 @@ pub struct Mesh {
     pub cells: Vec<CellBlock>,
     /// Named parts of the surface.
     pub face_sets: BTreeMap<String, Vec<Face>>,
+    /// Named sets of nodes.
+    pub node_sets: BTreeMap<String, Vec<usize>>,
 }
 
 impl Mesh {
-    /// A checked mesh: see [`Mesh::validate`].
+    /// A checked mesh without node sets: see [`Mesh::validate`].
     pub fn new(
         space: Space,
         points: Vec<[f64; 3]>,
@@ -130,14 +109,15 @@ impl Mesh {
             points,
             cells,
             face_sets,
+            node_sets: BTreeMap::new(),
         };
         mesh.validate()?;
         Ok(mesh)
     }
 
     /// Checks that coordinates are finite, in the plane where there is one, and radii not negative;
-    /// that cells have the dimension of the space; that cells and face sets refer to nodes and faces
-    /// that exist; and that every node belongs to a cell. The shape of cells is judged by
+    /// that cells have the dimension of the space; that cells, face sets and node sets refer to nodes
+    /// and faces that exist; and that every node belongs to a cell. The shape of cells is judged by
     /// [`Mesh::check_cells`].
     pub fn validate(&self) -> Result<(), FemError> {
         for (node, &point) in self.points.iter().enumerate() {
@@ -164,6 +144,15 @@ impl Mesh {
                         local,
                     });
                 }
+            }
+        }
+        for (set, nodes) in &self.node_sets {
+            if let Some(&node) = nodes.iter().find(|&&node| node >= self.node_count()) {
+                return Err(FemError::NodeOfSetOutOfRange {
+                    set: set.clone(),
+                    node,
+                    count: self.node_count(),
+                });
             }
         }
         Ok(())
@@ -214,7 +203,7 @@ impl Mesh {
         }
     }
 
-    /// Moves every point of the mesh, keeping cells and face sets: curved and graded meshes are made
+    /// Moves every point of the mesh, keeping cells and sets: curved and graded meshes are made
     /// of structured ones this way. See [`Mesh::check_cells`] for whether the map turned cells over.
     ///
     /// # Errors
@@ -372,6 +361,17 @@ mod tests {
                 set: "loose".into(),
                 cell: 1,
                 local: 6
+            })
+        );
+
+        let mut mesh = two_cells();
+        mesh.node_sets.insert("tip".into(), vec![3, 12]);
+        assert_eq!(
+            mesh.validate(),
+            Err(FemError::NodeOfSetOutOfRange {
+                set: "tip".into(),
+                node: 12,
+                count: 12
             })
         );
 

@@ -41,13 +41,14 @@ impl Mesh {
 
     /// The faces that belong to one cell only, ascending.
     pub fn boundary_faces(&self) -> Vec<Face> {
-        // A face is known by its three lowest nodes: two faces of a valid mesh that share three
-        // nodes are the same one. In the plane two nodes are all there are.
+        // A face is known by its three lowest corners: two faces of a valid mesh that share three
+        // corners are the same one (of all nodes, two quadratic faces with a common edge share three).
+        // In the plane two corners are all there are.
         let mut keyed: Vec<([usize; 3], Face)> = Vec::new();
         for (cell, of) in self.iter_cells().enumerate() {
             for (local, face) in of.kind.faces().iter().enumerate() {
                 let mut lowest = [usize::MAX; 3];
-                for &a in face.nodes {
+                for &a in &face.nodes[..face.kind.corner_count()] {
                     let mut node = of.nodes[a];
                     for slot in &mut lowest {
                         if node < *slot {

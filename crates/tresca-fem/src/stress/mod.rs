@@ -65,7 +65,7 @@ pub fn von_mises([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> f64 {
     (0.5 * normal + 3.0 * shear).sqrt()
 }
 
-/// Strain energy ½ ∫ σ : ε dΩ of a displacement over the full dofs, by each cell's full rule (per
+/// Strain energy ½ ∫ σ : ε dΩ of a displacement over the full dofs, by each cell's stiffness rule (per
 /// thickness in the plane, of the full circumference in an axisymmetric space).
 ///
 /// # Errors

@@ -41,8 +41,26 @@ pub enum CellShape {
     Triangle,
     /// Four nodes.
     Quad,
+    /// Four nodes.
+    Tetra,
     /// Eight nodes.
     Hexahedron,
+    /// Six nodes.
+    Wedge,
+    /// Three nodes.
+    QuadraticLine,
+    /// Six nodes.
+    QuadraticTriangle,
+    /// Eight nodes.
+    QuadraticQuad,
+    /// Ten nodes.
+    QuadraticTetra,
+    /// Twenty nodes.
+    QuadraticHexahedron,
+    /// Nine nodes.
+    BiquadraticQuad,
+    /// Twenty-seven nodes.
+    TriquadraticHexahedron,
 }
 
 impl CellShape {
@@ -53,7 +71,16 @@ impl CellShape {
             CellShape::Line => 3,
             CellShape::Triangle => 5,
             CellShape::Quad => 9,
+            CellShape::Tetra => 10,
             CellShape::Hexahedron => 12,
+            CellShape::Wedge => 13,
+            CellShape::QuadraticLine => 21,
+            CellShape::QuadraticTriangle => 22,
+            CellShape::QuadraticQuad => 23,
+            CellShape::QuadraticTetra => 24,
+            CellShape::QuadraticHexahedron => 25,
+            CellShape::BiquadraticQuad => 28,
+            CellShape::TriquadraticHexahedron => 29,
         }
     }
 
@@ -62,9 +89,14 @@ impl CellShape {
         match self {
             CellShape::Vertex => 1,
             CellShape::Line => 2,
-            CellShape::Triangle => 3,
-            CellShape::Quad => 4,
-            CellShape::Hexahedron => 8,
+            CellShape::Triangle | CellShape::QuadraticLine => 3,
+            CellShape::Quad | CellShape::Tetra => 4,
+            CellShape::Wedge | CellShape::QuadraticTriangle => 6,
+            CellShape::Hexahedron | CellShape::QuadraticQuad => 8,
+            CellShape::BiquadraticQuad => 9,
+            CellShape::QuadraticTetra => 10,
+            CellShape::QuadraticHexahedron => 20,
+            CellShape::TriquadraticHexahedron => 27,
         }
     }
 }
@@ -73,9 +105,18 @@ impl From<CellKind> for CellShape {
     fn from(kind: CellKind) -> Self {
         match kind {
             CellKind::Line2 => CellShape::Line,
+            CellKind::Line3 => CellShape::QuadraticLine,
             CellKind::Tri3 => CellShape::Triangle,
+            CellKind::Tri6 => CellShape::QuadraticTriangle,
             CellKind::Quad4 => CellShape::Quad,
+            CellKind::Quad8 => CellShape::QuadraticQuad,
+            CellKind::Quad9 => CellShape::BiquadraticQuad,
+            CellKind::Tet4 => CellShape::Tetra,
+            CellKind::Tet10 => CellShape::QuadraticTetra,
+            CellKind::Wedge6 => CellShape::Wedge,
             CellKind::Hex8 => CellShape::Hexahedron,
+            CellKind::Hex20 => CellShape::QuadraticHexahedron,
+            CellKind::Hex27 => CellShape::TriquadraticHexahedron,
         }
     }
 }
