@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// the strain energy.
 ///
 /// # Errors
-/// [`FemError::PlaneStress`], [`FemError::InvertedCell`].
+/// As [`super::stiffness`].
 ///
 /// # Panics
 /// When the length of `u` is not [`Mesh::dof_count`].
@@ -61,12 +61,8 @@ fn forces_of_block(
             |(points, gradients), (local, (forces, nodes))| {
                 gather_points(mesh, nodes, points);
                 for q in 0..table.len() {
-                    let measure = physical_gradients(space, &table, q, points, gradients).map_err(
-                        |determinant| FemError::InvertedCell {
-                            cell: first + local,
-                            determinant,
-                        },
-                    )?;
+                    let measure = physical_gradients(space, &table, q, points, gradients)
+                        .ok_or(first + local)?;
                     let stress = material
                         .stress(strain(space, nodes, gradients, u))
                         .map(|s| s * measure * table.weights[q]);
@@ -81,12 +77,9 @@ fn forces_of_block(
             },
         )
         .filter_map(Result::err)
-        .min_by_key(|error| match error {
-            FemError::InvertedCell { cell, .. } => *cell,
-            _ => usize::MAX,
-        });
+        .min();
     match inverted {
-        Some(error) => Err(error),
+        Some(cell) => Err(mesh.cell_fault(cell)),
         None => Ok(forces),
     }
 }

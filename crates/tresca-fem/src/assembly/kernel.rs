@@ -40,8 +40,8 @@ impl<const N: usize, const D: usize> Kernel<N, D> {
         }
     }
 
-    /// Integrates the products of a cell; the error is a Jacobian determinant that is not positive.
-    pub fn integrate(&mut self, points: &[[f64; 3]; N]) -> Result<(), f64> {
+    /// Integrates the products of a cell; `None` where its Jacobian is not positive.
+    pub fn integrate(&mut self, points: &[[f64; 3]; N]) -> Option<()> {
         self.products = [[[0.0; N]; N]; 6];
         for q in 0..self.table.len() {
             let (rows, determinant) = inverse_jacobian::<D>(self.table.gradients(q), points)?;
@@ -70,7 +70,7 @@ impl<const N: usize, const D: usize> Kernel<N, D> {
                 }
             }
         }
-        Ok(())
+        Some(())
     }
 
     /// The D×D block K_ab of the cell integrated last, `[i][j]`.

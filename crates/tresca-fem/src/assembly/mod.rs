@@ -41,8 +41,9 @@ const RANGES_PER_THREAD: usize = 4;
 /// [`crate::rigid::remaining`]). Runs on rayon's current thread pool.
 ///
 /// # Errors
-/// [`FemError::PlaneStress`]; [`FemError::InvertedCell`] for the lowest cell whose
-/// Jacobian is not positive at an integration point.
+/// [`FemError::PlaneStress`]; [`FemError::InvertedCell`], [`FemError::FoldedCell`] or
+/// [`FemError::DegenerateCell`] for the lowest cell whose Jacobian is not positive at an integration
+/// point.
 ///
 /// # Panics
 /// When the dof map belongs to another number of nodes.
@@ -97,20 +98,14 @@ pub fn stiffness(
             columns.range.write_rows(dofs, rows);
             fill(mesh, material, columns).err()
         })
-        .min_by_key(|inverted| inverted.cell);
-    if let Some(Inverted { cell, determinant }) = inverted {
-        return Err(FemError::InvertedCell { cell, determinant });
+        .min();
+    if let Some(cell) = inverted {
+        return Err(mesh.cell_fault(cell));
     }
     let pattern = SymbolicSparseColMat::new_checked(n, n, starts, None, rows);
     Ok(SymmetricMatrix::from_lower(SparseColMat::new(
         pattern, values,
     )))
-}
-
-/// A cell that cannot be integrated.
-struct Inverted {
-    cell: usize,
-    determinant: f64,
 }
 
 /// Cuts the nodes into ranges of about equal work.
@@ -130,8 +125,9 @@ fn node_ranges(nodes: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>>
     ranges
 }
 
-/// Integrates the cells of a range and adds them to its columns.
-fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Result<(), Inverted> {
+/// Integrates the cells of a range and adds them to its columns; the error is a cell that cannot be
+/// integrated.
+fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Result<(), usize> {
     let mut first = 0;
     for block in &mesh.cells {
         match block.kind {
@@ -164,16 +160,14 @@ fn fill_block<const N: usize, const D: usize>(
     first: usize,
     material: &Isotropic,
     columns: &mut ColumnValues<'_>,
-) -> Result<(), Inverted> {
+) -> Result<(), usize> {
     let mut kernel = Kernel::<N, D>::new(mesh.space, block.kind, material);
     for &cell in columns.range.cells_within(first..first + block.len()) {
         let nodes: &[usize; N] = block.connectivity[(cell - first) * N..]
             .first_chunk()
             .expect("the connectivity of a valid mesh is whole");
         let points = nodes.map(|node| mesh.points[node]);
-        kernel
-            .integrate(&points)
-            .map_err(|determinant| Inverted { cell, determinant })?;
+        kernel.integrate(&points).ok_or(cell)?;
         for (b, &node) in nodes.iter().enumerate() {
             if columns.range.contains(node) {
                 columns.add(node, nodes, |a| kernel.block(a, b));

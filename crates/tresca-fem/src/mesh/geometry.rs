@@ -1,8 +1,7 @@
 //! Measures of a mesh: volumes, area vectors, bounds.
 
 use super::{CellKind, Face, Mesh};
-use crate::FemError;
-use crate::element::{ShapeTable, interpolate, inverse_jacobian, jacobian};
+use crate::element::{ShapeTable, interpolate, jacobian};
 use crate::tensor::{cross, determinant, norm};
 
 /// The smallest axis-parallel box around a mesh.
@@ -70,31 +69,6 @@ impl Mesh {
             }
         }
         volumes
-    }
-
-    /// Checks that the Jacobian of every cell is positive at all points of its stiffness rule: no cell is
-    /// turned inside out, collapsed or bent beyond a right angle there.
-    ///
-    /// # Errors
-    /// [`FemError::InvertedCell`] for the lowest cell that fails.
-    pub fn check_cells(&self) -> Result<(), FemError> {
-        let mut cell = 0;
-        for block in &self.cells {
-            let table = ShapeTable::stiffness(block.kind);
-            let mut points = vec![[0.0; 3]; table.nodes];
-            for nodes in block.cells() {
-                gather_points(self, nodes, &mut points);
-                for q in 0..table.len() {
-                    let inverse = match self.dimension() {
-                        2 => inverse_jacobian::<2>(table.gradients(q), &points),
-                        _ => inverse_jacobian::<3>(table.gradients(q), &points),
-                    };
-                    inverse.map_err(|determinant| FemError::InvertedCell { cell, determinant })?;
-                }
-                cell += 1;
-            }
-        }
-        Ok(())
     }
 
     /// Volume of the body (area in the plane).

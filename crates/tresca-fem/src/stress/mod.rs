@@ -43,8 +43,8 @@ pub fn samples(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Vec<StressSample
                 // A collapsed cell has no strain; assembly has refused it before anyone asks.
                 let stress =
                     match physical_gradients(mesh.space, &table, q, &points, &mut gradients) {
-                        Ok(_) => material.stress(strain(mesh.space, nodes, &gradients, u)),
-                        Err(_) => [f64::NAN; 6],
+                        Some(_) => material.stress(strain(mesh.space, nodes, &gradients, u)),
+                        None => [f64::NAN; 6],
                     };
                 samples.push(StressSample {
                     cell,
