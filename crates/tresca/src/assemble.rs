@@ -267,7 +267,7 @@ fn body_contact(model: &Model, contacts: &[ContactData], body: usize, columns: u
             let matrix = if contact.slave.body == body {
                 Some(&data.slave_coupling)
             } else if contact.master.surface().is_some_and(|on| on.body == body) {
-                Some(&data.master_coupling)
+                data.master_coupling.as_ref()
             } else {
                 None
             };

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::Serialize;
-use tresca_contact::ContactData;
+use tresca_contact::{ContactData, Discretization};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::{nodal_areas, resultant};
 use tresca_fem::{assembly, rigid};
@@ -249,22 +249,20 @@ fn load_checks(model: &Model) -> (Vec<LoadCheck>, Vec<Vec<f64>>) {
 fn contact_checks(model: &Model, contacts: &[ContactData]) -> Vec<ContactCheck> {
     let contacts = model.contacts().iter().zip(contacts);
     contacts
-        .map(|(contact, data)| {
-            let gaps = data.pairs.iter().map(|pair| pair.gap);
-            ContactCheck {
+        .map(|(contact, data)| ContactCheck {
                 slave: model.surface_name(&contact.slave),
                 master: model.partner_name(&contact.master),
                 friction: contact.friction.name(),
-                coupling: data.method.name(),
+                coupling: match data.discretization {
+                    Discretization::NodeByNode => "node by node",
+                    Discretization::Mortar => "mortar",
+                    Discretization::Obstacle => "obstacle",
+                },
                 pairs: data.pairs.len(),
                 held: data.held_pairs,
                 uncoupled: data.uncoupled.len(),
-                area: data.pairs.iter().map(|pair| pair.area).sum(),
-                gap: gaps.fold(None, |range: Option<[f64; 2]>, gap| {
-                    let [least, largest] = range.unwrap_or([gap; 2]);
-                    Some([least.min(gap), largest.max(gap)])
-                }),
-            }
+                area: data.overlap_area,
+                gap: data.gap_range(),
         })
         .collect()
 }

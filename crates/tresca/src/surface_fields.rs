@@ -158,5 +158,6 @@ fn master_rows<'a>(
     body: usize,
 ) -> Option<SparseRowMatRef<'a, usize, f64>> {
     let on_body = contact.master.surface().is_some_and(|on| on.body == body);
-    on_body.then(|| data.master_coupling.as_ref())
+    let rows = data.master_coupling.as_ref().filter(|_| on_body)?;
+    Some(rows.as_ref())
 }

@@ -328,7 +328,8 @@ impl Model {
         for (k, &slave) in chosen.iter().enumerate() {
             for &master in &chosen[k + 1..] {
                 let meshes = [slave, master].map(|body| &self.bodies[body].mesh);
-                if let Some(faces) = facing_surfaces(meshes[0], meshes[1], distance) {
+                let faces = facing_surfaces(meshes[0], meshes[1], distance)?;
+                if !faces.0.is_empty() {
                     found.push(([slave, master], faces));
                 }
             }
