@@ -130,6 +130,21 @@ pub enum Experiment {
     /// Two bricks with Coulomb's law: updates of the bounds and multiplications by A of both variants,
     /// beside one solve with the final bounds frozen.
     Coulomb(CoulombArguments),
+    /// Cases of your own: iterations and multiplications by A, reading, contact search, the whole run with
+    /// its files beside one linear solve of the same bodies, peak memory.
+    Case(CaseArguments),
+}
+
+#[derive(Debug, Args)]
+pub struct CaseArguments {
+    /// Case files, for example one case on finer and finer meshes.
+    #[arg(required = true)]
+    pub cases: Vec<PathBuf>,
+    #[command(flatten)]
+    pub solver: SolverArguments,
+    /// Number of threads (default: all processors).
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]

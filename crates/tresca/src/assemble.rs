@@ -1,5 +1,7 @@
 //! From the model to matrices: K of each body, B, d and the friction data of each contact.
 
+use std::time::Instant;
+
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
 use tresca_contact::{
@@ -44,6 +46,8 @@ pub struct Assembled {
     pub contacts: Vec<ContactData>,
     /// Where every pair stands in λ.
     pub layout: Layout,
+    /// Seconds that contact search and coupling took.
+    pub contact_seconds: f64,
 }
 
 impl Assembled {
@@ -115,7 +119,9 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
     }
     let dof_maps = dof_maps(model)?;
     // Contact geometry first: it is quick, and its errors should not wait for the stiffness.
+    let begin = Instant::now();
     let contacts = couple_all(model, &dof_maps)?;
+    let contact_seconds = begin.elapsed().as_secs_f64();
     if contacts.iter().all(|data| data.pairs.is_empty()) {
         return Err(ModelError::NoFreePairs);
     }
@@ -139,6 +145,7 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         bodies,
         contacts,
         layout,
+        contact_seconds,
     })
 }
 

@@ -17,6 +17,8 @@ use crate::surface_fields::SurfaceFields;
 pub struct Times {
     /// Stiffness and contact data.
     pub assembly: f64,
+    /// Contact search and coupling, a part of the assembly.
+    pub contact: f64,
     /// Ordering, analysis and factorisation of all bodies, and the set-up of the dual operator.
     pub factorization: f64,
     /// The dual problems of all steps, estimate of σmax included.

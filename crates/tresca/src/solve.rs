@@ -130,15 +130,16 @@ pub fn prepare(
     };
     progress.problem(&description);
     Ok(ControlFlow::Continue(Prepared {
+        times: Times {
+            assembly,
+            contact: assembled.contact_seconds,
+            factorization: begin.elapsed().as_secs_f64(),
+            ..Times::default()
+        },
         assembled,
         factored,
         dual,
         description,
-        times: Times {
-            assembly,
-            factorization: begin.elapsed().as_secs_f64(),
-            ..Times::default()
-        },
     }))
 }
 

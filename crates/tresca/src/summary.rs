@@ -167,6 +167,8 @@ pub struct ContactSummary {
 pub struct TimesSummary {
     /// Stiffness, loads, contact data.
     pub assembly: f64,
+    /// Contact search and coupling, a part of the assembly.
+    pub contact: f64,
     /// Ordering, analysis, factorisation, set-up of the dual operator.
     pub factorization: f64,
     /// The dual problem.
@@ -213,6 +215,7 @@ impl Summary {
                 .collect(),
             times: TimesSummary {
                 assembly: times.assembly,
+                contact: times.contact,
                 factorization: times.factorization,
                 solve: times.solve,
                 recovery: times.recovery,
