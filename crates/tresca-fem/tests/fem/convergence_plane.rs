@@ -5,11 +5,8 @@
 //! the error, rate 1) and the recovered stress (L2), with the measure of the space. The recovered stress
 //! is of order 2 on quadrilaterals; on triangles at least of order 3/2 (see [`stress::recover`]).
 
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
-mod common;
-
-use common::{perturbed_rectangle, solve};
+use crate::common::{perturbed_rectangle, solve};
+use tresca_fem::assembly::Formulation;
 use tresca_fem::loads::{body_force, pressure};
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
@@ -25,7 +22,7 @@ struct Exact<'a> {
 
 /// Errors of displacement, energy and recovered stress.
 fn errors(mesh: &Mesh, material: &Isotropic, u: &[f64], exact: &Exact<'_>) -> [f64; 3] {
-    let recovered = stress::recover(mesh, material, u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, u);
     let mut sums = [0.0; 3];
     for cell in mesh.iter_cells() {
         let n = cell.nodes.len();
