@@ -5,9 +5,14 @@
 //! the error, rate 1) and the recovered stress (L2), with the measure of the space. The recovered stress
 //! is of order 2 on quadrilaterals; on triangles at least of order 3/2 (see [`stress::recover`]).
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/suite/convergence_plane.rs
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{perturbed_rectangle, solve};
+========
+use crate::common::{perturbed_rectangle, solve};
+use tresca_fem::assembly::Formulation;
+>>>>>>>> g-fem:crates/tresca-fem/tests/fem/convergence_plane.rs
 use tresca_fem::loads::{body_force, pressure};
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
@@ -23,7 +28,7 @@ struct Exact<'a> {
 
 /// Errors of displacement, energy and recovered stress.
 fn errors(mesh: &Mesh, material: &Isotropic, u: &[f64], exact: &Exact<'_>) -> [f64; 3] {
-    let recovered = stress::recover(mesh, material, u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, u);
     let mut sums = [0.0; 3];
     for cell in mesh.iter_cells() {
         let n = cell.nodes.len();

@@ -3,9 +3,14 @@
 //! u_i(x) = a_i(x) b_i(y) c_i(z), smooth and no polynomial, on the unit cube; Dirichlet data on the
 //! whole boundary; body force b = −div σ(u) = −(λ + μ) ∇(div u) − μ Δu.
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/suite/convergence.rs
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{perturbed_brick, solve_by_cg};
+========
+use crate::common::{perturbed_brick, solve_by_cg};
+use tresca_fem::assembly::Formulation;
+>>>>>>>> g-fem:crates/tresca-fem/tests/fem/convergence.rs
 use tresca_fem::loads::body_force;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::Mesh;
@@ -119,7 +124,7 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
         &supports,
         &body_force(mesh, |p| force(material, p)),
     );
-    let recovered = stress::recover(mesh, material, &u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, &u);
 
     let mut sums = [0.0; 3];
     let rule = gauss_cube(4);

@@ -1,7 +1,7 @@
 //! Meshes and a linear solve shared by the tests.
 
 use faer::linalg::solvers::Solve;
-use tresca_fem::assembly::{reduced_load, stiffness};
+use tresca_fem::assembly::{Formulation, reduced_load, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
@@ -128,8 +128,16 @@ fn solve_by(
     solver: impl Fn(&SymmetricMatrix, &[f64]) -> Vec<f64>,
 ) -> Vec<f64> {
     let dofs = DofMap::new(supports);
-    let k = stiffness(mesh, material, &dofs).unwrap();
-    let f = reduced_load(mesh, material, &dofs, load, &supports.values()).unwrap();
+    let k = stiffness(mesh, material, Formulation::Full, &dofs).unwrap();
+    let f = reduced_load(
+        mesh,
+        material,
+        Formulation::Full,
+        &dofs,
+        load,
+        &supports.values(),
+    )
+    .unwrap();
     let mut u = supports.values();
     dofs.write_free(&solver(&k, &f), &mut u);
     u

@@ -1,9 +1,14 @@
 //! States of constant strain are exact on any mesh.
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/suite/patch.rs
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{perturbed_brick, solve};
 use tresca_fem::assembly::internal_forces;
+========
+use crate::common::{perturbed_brick, solve};
+use tresca_fem::assembly::{Formulation, internal_forces};
+>>>>>>>> g-fem:crates/tresca-fem/tests/fem/patch.rs
 use tresca_fem::loads::{resultant, traction};
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{BrickSpec, brick};
@@ -41,7 +46,7 @@ fn linear_displacement_on_a_perturbed_mesh() {
         g[1][2] + g[2][1],
         g[0][2] + g[2][0],
     ]);
-    for nodal in stress::recover(&mesh, &material, &u) {
+    for nodal in stress::recover(&mesh, &material, Formulation::Full, &u) {
         for k in 0..6 {
             assert!(
                 (nodal[k] - expected[k]).abs() < 1e-12,
@@ -55,7 +60,10 @@ fn linear_displacement_on_a_perturbed_mesh() {
     let energy: f64 = (0..9)
         .map(|k| 0.5 * s[k / 3][k % 3] * g[k / 3][k % 3])
         .sum();
-    assert!((stress::strain_energy(&mesh, &material, &u).unwrap() - energy).abs() < 1e-13);
+    assert!(
+        (stress::strain_energy(&mesh, &material, Formulation::Full, &u).unwrap() - energy).abs()
+            < 1e-13
+    );
 }
 
 /// A bar pulled by p: u = p/E (x, −νy, −νz), σ_xx = p; the supports' reactions balance the pull.
@@ -83,11 +91,11 @@ fn uniaxial_bar() {
             assert!((u[i] - exact[i]).abs() < 1e-12 * 4.0 * p / e);
         }
     }
-    for nodal in stress::recover(&mesh, &material, &u) {
+    for nodal in stress::recover(&mesh, &material, Formulation::Full, &u) {
         assert!((nodal[0] - p).abs() < 1e-10 && nodal[1..].iter().all(|s| s.abs() < 1e-10));
         assert!((stress::von_mises(nodal) - p).abs() < 1e-10);
     }
-    let internal = internal_forces(&mesh, &material, &u).unwrap();
+    let internal = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
     let reactions: Vec<f64> = internal.iter().zip(&load).map(|(k, f)| k - f).collect();
     let sum = resultant(&mesh, &reactions, [0.0; 3]);
     assert!(
@@ -113,7 +121,7 @@ fn one_layer_of_cells_recovers_a_constant_stress() {
         .flat_map(|p| [p[0], 0.5 * p[1], 0.0])
         .collect();
     let expected = material.stress([1.0, 0.5, 0.0, 0.0, 0.0, 0.0]);
-    for nodal in stress::recover(&mesh, &material, &u) {
+    for nodal in stress::recover(&mesh, &material, Formulation::Full, &u) {
         assert!(
             (0..6).all(|k| (nodal[k] - expected[k]).abs() < 1e-12),
             "{nodal:?}"
