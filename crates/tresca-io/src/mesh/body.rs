@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use tresca_fem::FemError;
-use tresca_fem::mesh::{BoundingBox, CellBlock, CellKind, Face, Mesh, Space};
+use tresca_fem::mesh::{BoundingBox, CellBlock, CellKind, Face, FaceLookup, Mesh, Space};
 
 use super::error::MeshFileError;
 use super::faces::{FaceMap, side};
@@ -16,11 +16,7 @@ use super::placement::Placement;
 /// Distances below this part of a body's size are rounding: coordinates that should be 0 become 0.
 const ROUNDING: f64 = 1e-12;
 
-/// Determinants below this part of a cell's own volume scale count as none.
-const DEGENERATE: f64 = 1e-10;
-
 /// Nodes nearer than this part of a body's size count as one place.
-#[allow(dead_code)]
 const SAME_PLACE: f64 = 1e-9;
 
 /// The mesh of a body with what was noticed on the way.
@@ -88,7 +84,7 @@ impl MeshFile {
     /// [`MeshFileError::NotPlane`], [`MeshFileError::UnknownGroup`],
     /// [`MeshFileError::GroupDimension`], [`MeshFileError::OffPlane`],
     /// [`MeshFileError::NegativeRadius`], [`MeshFileError::Inverted`],
-    /// [`MeshFileError::Degenerate`], [`MeshFileError::Refused`]. What is wrong with a surface group
+    /// [`MeshFileError::Folded`], [`MeshFileError::Degenerate`], [`MeshFileError::Refused`]. What is wrong with a surface group
     /// is kept in [`BodyMesh::unusable`], for whoever wants to use it.
     pub fn body(
         &self,
@@ -108,6 +104,7 @@ impl MeshFile {
         let mut unusable = BTreeMap::new();
         self.face_sets(&mut mesh, &members, &mut unusable);
         self.node_sets(&mut mesh, &members);
+        notes.extend(self.duplicate_nodes(&mesh, &members));
         Ok(BodyMesh {
             mesh,
             notes,
@@ -181,30 +178,50 @@ impl MeshFile {
     }
 
     fn check_shapes(&self, mesh: &Mesh, members: &Members) -> Result<(), MeshFileError> {
-        let (cell, determinant) = match mesh.check_cells() {
-            Ok(()) => return Ok(()),
-            Err(FemError::InvertedCell { cell, determinant }) => (cell, determinant),
-            Err(source) => {
-                let path = self.path.clone();
-                return Err(MeshFileError::Refused { path, source });
-            }
+        let Err(source) = mesh.check_cells() else {
+            return Ok(());
         };
-        let nodes = mesh.cell(cell).nodes;
-        let size = BoundingBox::around(nodes.iter().map(|&node| mesh.points[node])).diagonal();
-        let (path, element) = (self.path.clone(), self.element(members.cells[cell]));
-        let centre = self.centre(members.cells[cell]);
-        let nothing = DEGENERATE * size.powi(mesh.dimension() as i32);
-        Err(match determinant.abs() <= nothing {
-            true => MeshFileError::Degenerate {
-                path,
-                element,
-                centre,
-            },
-            false => MeshFileError::Inverted {
-                path,
-                element,
-                centre,
-            },
+        let path = self.path.clone();
+        let names = |cell: usize| {
+            let cell = members.cells[cell];
+            (self.element(cell), self.centre(cell))
+        };
+        Err(match source {
+            FemError::InvertedCell { cell, .. } => {
+                let (element, centre) = names(cell);
+                MeshFileError::Inverted {
+                    path,
+                    element,
+                    centre,
+                }
+            }
+            FemError::FoldedCell { cell, .. } => {
+                let (element, centre) = names(cell);
+                MeshFileError::Folded {
+                    path,
+                    element,
+                    centre,
+                }
+            }
+            FemError::DegenerateCell { cell, .. } => {
+                let (element, centre) = names(cell);
+                MeshFileError::Degenerate {
+                    path,
+                    element,
+                    centre,
+                }
+            }
+            source => MeshFileError::Refused { path, source },
+        })
+    }
+
+    fn duplicate_nodes(&self, mesh: &Mesh, members: &Members) -> Option<Note> {
+        let pairs = mesh.duplicate_nodes(SAME_PLACE);
+        let &[first, second] = pairs.first()?;
+        Some(Note::DuplicateNodes {
+            pairs: pairs.len(),
+            first: [first, second].map(|node| self.point_numbers[members.nodes[node]]),
+            at: mesh.points[first],
         })
     }
 
@@ -367,19 +384,18 @@ struct Finder<'a> {
     file: &'a MeshFile,
     members: &'a Members,
     mesh: &'a Mesh,
-    of_body: FaceMap,
+    of_body: FaceLookup,
     /// The faces of all cells, made when it must be known whether another body has a face.
     of_file: OnceCell<FaceMap>,
 }
 
 impl<'a> Finder<'a> {
     fn new(file: &'a MeshFile, members: &'a Members, mesh: &'a Mesh) -> Self {
-        let cells = mesh.iter_cells().enumerate();
         Self {
             file,
             members,
             mesh,
-            of_body: FaceMap::new(cells.map(|(number, cell)| (number, cell.kind, cell.nodes))),
+            of_body: FaceLookup::new(mesh),
             of_file: OnceCell::new(),
         }
     }
@@ -419,10 +435,8 @@ impl<'a> Finder<'a> {
             group: group.name.clone(),
             element: self.file.element(element),
         };
-        match self.of_body.find(&nodes[..kind.corner_count()]) {
-            [(_, [cell, local])] => {
-                let (cell, local) = (*cell, *local);
-                let face = Face { cell, local };
+        match self.of_body.sides(&nodes[..kind.corner_count()]) {
+            &[face] => {
                 // A linear element on a quadratic cell, or the reverse.
                 let mut own = self.mesh.face_nodes(face);
                 own.sort_unstable();
@@ -433,23 +447,22 @@ impl<'a> Finder<'a> {
                     Err(missing())
                 }
             }
-            [(_, first), (_, second), ..] => Err(MeshFileError::InteriorFace {
+            [first, second, ..] => Err(MeshFileError::InteriorFace {
                 path: self.file.path.clone(),
                 group: group.name.clone(),
                 element: self.file.element(element),
-                sides: [first, second].map(|side| self.file.element(self.members.cells[side[0]])),
+                sides: [first, second].map(|face| {
+                    let cell = self.members.cells[face.cell];
+                    self.file.element(cell)
+                }),
             }),
             // A body that touches this one along the nodes of the element may have the face.
             [] => {
-                let dimension = group.dimension + 1;
-                let of_file = || FaceMap::of_file(&self.file.cells, dimension);
-                match self
-                    .of_file
-                    .get_or_init(of_file)
-                    .find(&points[..kind.corner_count()])
-                {
-                    [] => Err(missing()),
-                    _ => Ok(None),
+                let map = || FaceMap::new(&self.file.cells, group.dimension + 1);
+                let corners = &points[..kind.corner_count()];
+                match self.of_file.get_or_init(map).contains(corners) {
+                    true => Ok(None),
+                    false => Err(missing()),
                 }
             }
         }

@@ -252,10 +252,28 @@ pub enum MeshFileError {
     #[diagnostic(
         code(mesh::inverted),
         help(
-            "mesh the place again, finer or with optimisation (Gmsh: `Mesh.Optimize`, for curved quadratic elements `Mesh.HighOrderOptimize`); if all elements are inverted, the file numbers their nodes in another order"
+            "mesh the place again, finer or with optimisation (Gmsh: `Mesh.Optimize = 1`); if all elements are inverted, the program that wrote the file numbers their nodes in another order"
         )
     )]
     Inverted {
+        /// The file.
+        path: PathBuf,
+        /// The element in words.
+        element: String,
+        /// The mean of its nodes (length).
+        centre: [f64; 3],
+    },
+
+    /// A cell that is turned inside out in a part.
+    #[error("{element} of `{}` is folded (its centre is at {centre:?})", path.display())]
+    #[diagnostic(
+        code(mesh::folded),
+        help(
+            "a corner is pushed in, or a middle node lies too far from the middle of its edge, which happens where few quadratic elements follow a strong curve; \
+             mesh the place finer, or use `Mesh.HighOrderOptimize = 2` in Gmsh"
+        )
+    )]
+    Folded {
         /// The file.
         path: PathBuf,
         /// The element in words.

@@ -10,9 +10,8 @@ type Key = [usize; 4];
 /// A side of a cell: the cell, and the number of the face in it.
 pub(super) type Side = [usize; 2];
 
-/// The sides of some cells, by their corners: a face that two cells share has two sides. Mid nodes
-/// do not count, so that a
-/// linear face finds the quadratic cell.
+/// The sides of the cells of a file, by their corners: a face that two cells share has two sides.
+/// (The faces of a body have [`tresca_fem::mesh::FaceLookup`].)
 #[derive(Debug)]
 pub(super) struct FaceMap {
     /// Sorted.
@@ -20,11 +19,12 @@ pub(super) struct FaceMap {
 }
 
 impl FaceMap {
-    /// Of cells with their number, kind and nodes.
-    pub fn new<'a>(cells: impl Iterator<Item = (usize, CellKind, &'a [usize])>) -> Self {
+    /// Of all cells of a dimension.
+    pub fn new(cells: &FileCells, dimension: usize) -> Self {
         let mut sides = Vec::new();
-        for (cell, kind, nodes) in cells {
-            for (local, face) in kind.faces().iter().enumerate() {
+        for cell in cells.of_dimension(dimension) {
+            let nodes = cells.nodes(cell);
+            for (local, face) in cells.kind(cell).faces().iter().enumerate() {
                 let corners = &face.nodes[..face.kind.corner_count()];
                 sides.push((key(corners.iter().map(|&a| nodes[a])), [cell, local]));
             }
@@ -33,21 +33,12 @@ impl FaceMap {
         Self { sides }
     }
 
-    /// Of all cells of a file that have a dimension.
-    pub fn of_file(cells: &FileCells, dimension: usize) -> Self {
-        let of_dimension = cells.of_dimension(dimension);
-        Self::new(of_dimension.map(|cell| (cell, cells.kind(cell), cells.nodes(cell))))
-    }
-
-    /// The sides with these corners, in any order.
-    pub fn find(&self, corners: &[usize]) -> &[(Key, Side)] {
+    /// Whether a cell has a face with these corners, in any order.
+    pub fn contains(&self, corners: &[usize]) -> bool {
         let wanted = key(corners.iter().copied());
-        let start = self.sides.partition_point(|(key, _)| *key < wanted);
-        let count = self.sides[start..]
-            .iter()
-            .take_while(|(key, _)| *key == wanted)
-            .count();
-        &self.sides[start..start + count]
+        self.sides
+            .binary_search_by_key(&wanted, |(key, _)| *key)
+            .is_ok()
     }
 
     /// The sides that no other cell shares, ordered by cell and face.

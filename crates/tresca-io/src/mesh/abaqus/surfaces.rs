@@ -106,7 +106,7 @@ impl Model {
         for &cell in cells {
             wanted[cell] = true;
         }
-        let map = FaceMap::of_file(&self.cells, dimension);
+        let map = FaceMap::new(&self.cells, dimension);
         let exterior = map.exterior().into_iter().filter(|side| wanted[side[0]]);
         self.groups.of(name, dimension - 1).faces.extend(exterior);
     }

@@ -3,7 +3,7 @@
 use tresca_fem::mesh::{CellKind, Space};
 use tresca_io::mesh::{MeshFile, Note, parse};
 
-use crate::support::{body, by_place, data, solid};
+use crate::mesh::support::{body, by_place, data, solid};
 
 const VERSIONS: [&str; 4] = ["2.2-text", "2.2-binary", "4.1-text", "4.1-binary"];
 
@@ -205,7 +205,10 @@ fn both_byte_orders_are_read() {
         ("hexes20-4.1-binary.msh", swapped_4 as fn(&[u8]) -> Vec<u8>),
         ("hexes20-2.2-binary.msh", swapped_2),
     ] {
-        let path = format!("{}/tests/mesh/data/{name}", env!("CARGO_MANIFEST_DIR"));
+        let path = format!(
+            "{}/tests/suite/mesh/data/{name}",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let bytes = std::fs::read(&path).unwrap();
         let other = swapped(&bytes);
         assert_ne!(bytes, other);

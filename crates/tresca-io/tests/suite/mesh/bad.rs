@@ -3,7 +3,7 @@
 use miette::Diagnostic;
 use tresca_io::mesh::{MeshFileError, Position, parse, read};
 
-use crate::support::refused;
+use crate::mesh::support::refused;
 
 const TWO: &str = include_str!("data/hexes-2.2-text.msh");
 const FOUR: &str = include_str!("data/hexes-4.1-text.msh");
@@ -146,7 +146,10 @@ fn files_that_are_cut_off_anywhere_are_refused() {
         "hexes-4.1-text",
         "hexes-4.1-binary",
     ] {
-        let path = format!("{}/tests/mesh/data/{name}.msh", env!("CARGO_MANIFEST_DIR"));
+        let path = format!(
+            "{}/tests/suite/mesh/data/{name}.msh",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let bytes = std::fs::read(path).unwrap();
         let whole = parse("cut.msh", &bytes).unwrap();
         let last = bytes.trim_ascii_end().len();
@@ -168,7 +171,10 @@ fn files_that_are_cut_off_anywhere_are_refused() {
 #[test]
 fn corrupt_bytes_do_no_harm() {
     for name in ["hexes-2.2-binary", "hexes-4.1-binary"] {
-        let path = format!("{}/tests/mesh/data/{name}.msh", env!("CARGO_MANIFEST_DIR"));
+        let path = format!(
+            "{}/tests/suite/mesh/data/{name}.msh",
+            env!("CARGO_MANIFEST_DIR")
+        );
         let mut bytes = std::fs::read(path).unwrap();
         for at in 0..bytes.len() {
             let old = bytes[at];

@@ -1,9 +1,9 @@
 //! Bodies out of files: what is left out, put right, and refused.
 
 use tresca_fem::mesh::Space;
-use tresca_io::mesh::{MeshFile, MeshFileError, Placement, parse};
+use tresca_io::mesh::{MeshFile, MeshFileError, Note, Placement, parse};
 
-use crate::support::{body, data, solid};
+use crate::mesh::support::{body, data, solid};
 
 /// Two tetrahedra with a common face, in the text of version 2.2; `elements` goes at the end.
 fn tets(elements: &str) -> MeshFile {
@@ -47,7 +47,7 @@ fn interior_and_missing_faces_spoil_their_group_only() {
     assert_eq!(body.mesh.node_sets["skin"], [1, 2, 3]);
     // A face of another body is no face of this one, and no fault.
     let loose = tets("3 2 2 1 1 1 2 3\n4 2 2 3 1 5 6 7\n");
-    let body = crate::support::body(&loose, Space::Solid, None);
+    let body = crate::mesh::support::body(&loose, Space::Solid, None);
     assert_eq!(body.mesh.face_sets.keys().collect::<Vec<_>>(), ["skin"]);
     assert!(body.unusable.is_empty());
 }
@@ -147,4 +147,45 @@ fn groups_of_one_name_and_several_dimensions_keep_apart() {
     let mesh = solid(&clash, None);
     assert_eq!(mesh.node_sets["top"], [0, 1, 2]);
     assert_eq!(mesh.node_sets["0:top"], [3]);
+}
+
+#[test]
+fn a_body_that_falls_apart_is_noted() {
+    // Two squares that meet along x = 1 without sharing its nodes.
+    let file = parse(
+        "apart.inp",
+        b"*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n4, 0, 1\n12, 1, 0\n15, 2, 0\n16, 2, 1\n13, 1, 1\n\
+          *ELEMENT, TYPE=CPS4, ELSET=one\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=CPS4, ELSET=two\n2, 12, 15, 16, 13\n",
+    )
+    .unwrap();
+    let both = body(&file, Space::Plane, None);
+    assert_eq!(
+        both.notes,
+        [Note::DuplicateNodes {
+            pairs: 2,
+            first: [2, 12],
+            at: [1.0, 0.0, 0.0]
+        }]
+    );
+    assert!(both.notes[0].to_string().contains("such as 2 and 12"));
+    assert!(body(&file, Space::Plane, Some("one")).notes.is_empty());
+}
+
+#[test]
+fn a_middle_node_that_folds_its_element_is_named() {
+    let with = |y: &str| {
+        let text = format!(
+            "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n4, 0.5, {y}\n5, 0.5, 0.5\n6, 0, 0.5\n*ELEMENT, TYPE=CPS6\n7, 1, 2, 3, 4, 5, 6\n"
+        );
+        let file = parse("curved.inp", text.as_bytes()).unwrap();
+        file.body(Space::Plane, None, &Placement::default())
+    };
+    assert!(with("-0.1").is_ok());
+    let error = with("0.6").unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .starts_with("element 7 of `curved.inp` is folded"),
+        "{error}"
+    );
 }

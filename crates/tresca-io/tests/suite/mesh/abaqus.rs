@@ -3,7 +3,7 @@
 use tresca_fem::mesh::{CellKind, Space};
 use tresca_io::mesh::{MeshFile, MeshFileError, parse};
 
-use crate::support::{area, body, refused, solid};
+use crate::mesh::support::{area, body, refused, solid};
 
 /// Two cubes on one another, of which the upper one starts its numbers at 101.
 const TOWER: &str = "*HEADING

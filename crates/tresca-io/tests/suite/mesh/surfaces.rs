@@ -2,7 +2,7 @@
 
 use tresca_io::mesh::{MeshFile, Placement, RigidSurface, Rotation, parse};
 
-use crate::support::data;
+use crate::mesh::support::data;
 
 fn surface(file: &MeshFile, group: Option<&str>, flip: bool) -> RigidSurface {
     let surface = file.surface(3, group, &Placement::default(), flip);

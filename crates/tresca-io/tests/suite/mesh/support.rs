@@ -7,7 +7,10 @@ use tresca_io::mesh::{BodyMesh, MeshFile, MeshFileError, Placement, parse, read}
 
 /// A file beside this one.
 pub fn data(name: &str) -> MeshFile {
-    let path = format!("{}/tests/mesh/data/{name}", env!("CARGO_MANIFEST_DIR"));
+    let path = format!(
+        "{}/tests/suite/mesh/data/{name}",
+        env!("CARGO_MANIFEST_DIR")
+    );
     read(&path).unwrap_or_else(|error| panic!("{error}"))
 }
 
