@@ -243,7 +243,7 @@ fn body_contact(model: &Model, contacts: &[ContactData], body: usize, columns: u
             let matrix = if contact.slave.body == body {
                 Some(&data.slave_coupling)
             } else if contact.master.body == body {
-                Some(&data.master_coupling)
+                data.master_coupling.as_ref()
             } else {
                 None
             };
