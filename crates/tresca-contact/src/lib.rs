@@ -16,17 +16,28 @@
 //! - λ = \[λν; λτ\] with m normal forces first and then the m pairs (τ1, τ2), in the plane m
 //!   tangential forces.
 
+mod couple;
 mod data;
 mod error;
+mod facing;
 mod frame;
 mod friction;
+mod geometry;
+mod mortar;
+mod node_by_node;
+mod obstacle;
+mod pair;
 mod pairing;
 mod restrained;
 mod surface;
 
-pub use data::{ContactData, ContactPair, Interface, Side, couple_node_by_node};
+pub use couple::{CouplingMethod, couple};
+pub use data::{ContactData, ContactPair, Discretization, Interface, Side};
 pub use error::ContactError;
+pub use facing::facing_surfaces;
 pub use frame::Frame;
 pub use friction::{Field, FrictionLaw, Opening, Sliding};
+pub use node_by_node::couple_node_by_node;
+pub use obstacle::{Obstacle, RigidSurface, couple_obstacle};
 pub use restrained::Mobility;
 pub use surface::{ContactSurface, SurfaceNode};

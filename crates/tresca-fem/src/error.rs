@@ -43,6 +43,27 @@ pub enum FemError {
         /// The mesh's space.
         space: Space,
     },
+    /// B-bar strains of cells that they are not made for.
+    #[error(
+        "B-bar is for hex8, wedge6 and quad4 cells, found {kind}: {}",
+        b_bar_remedy(*kind)
+    )]
+    BBarCells {
+        /// The first such kind.
+        kind: CellKind,
+    },
+    /// B-bar strains under plane stress.
+    #[error(
+        "B-bar is not for plane stress, where the thickness is free to change and nothing locks: use the \
+         full formulation"
+    )]
+    BBarPlaneStress,
+    /// A name that no formulation has.
+    #[error("there is no formulation \"{name}\"; known are full, b_bar")]
+    UnknownFormulation {
+        /// The name given.
+        name: String,
+    },
     /// A coordinate is NaN or infinite.
     #[error("node {node} has a coordinate that is no finite number: {point:?}")]
     PointNotFinite {
@@ -144,15 +165,63 @@ pub enum FemError {
         /// The names there are.
         known: Vec<String>,
     },
-    /// The map from the reference cell turns inside out or collapses.
+    /// The map from the reference cell turns inside out.
     #[error(
-        "cell {cell} is inverted or degenerate: det J = {determinant:e} at an integration point (expected > 0)"
+        "cell {cell}, around {}, is turned inside out: det J = {determinant:.3e} at most (expected > 0); \
+         are its nodes numbered the other way round?",
+        place(position)
     )]
     InvertedCell {
         /// The lowest such cell.
         cell: usize,
-        /// Its determinant there.
+        /// The mean of its nodes' positions.
+        position: [f64; 3],
+        /// The largest determinant at an integration point.
         determinant: f64,
+    },
+    /// The map from the reference cell turns inside out in a part of the cell.
+    #[error(
+        "cell {cell}, around {}, is folded: det J falls to {determinant:.3e} at an integration point \
+         (expected > 0 at all of them); a corner has been pushed in, or a middle node lies too far from \
+         the middle of its edge",
+        place(position)
+    )]
+    FoldedCell {
+        /// The lowest such cell.
+        cell: usize,
+        /// The mean of its nodes' positions.
+        position: [f64; 3],
+        /// The smallest determinant at an integration point.
+        determinant: f64,
+    },
+    /// The map from the reference cell collapses.
+    #[error(
+        "cell {cell}, around {}, is degenerate: it has no volume at an integration point (expected \
+         det J > 0); nodes coincide or lie in one plane",
+        place(position)
+    )]
+    DegenerateCell {
+        /// The lowest such cell.
+        cell: usize,
+        /// The mean of its nodes' positions.
+        position: [f64; 3],
+    },
+    /// Cells of a kind that cannot be made of those there are.
+    #[error("{from} cells cannot be turned into {to} cells")]
+    CellConversion {
+        /// Kind of the cells there are.
+        from: CellKind,
+        /// Kind asked for.
+        to: CellKind,
+    },
+    /// Cells whose cut faces would not meet.
+    #[error(
+        "the cells cannot be cut into {to} cells that meet face to face: hexahedra must be stacked along \
+         their third direction"
+    )]
+    CutsDoNotMatch {
+        /// Kind asked for.
+        to: CellKind,
     },
     /// Young's modulus is not positive and finite.
     #[error("Young's modulus must be positive and finite, found {found}")]
@@ -194,4 +263,19 @@ pub enum FemError {
         /// Components per node.
         components: usize,
     },
+}
+
+/// What to do about cells without a B-bar formulation.
+fn b_bar_remedy(kind: CellKind) -> &'static str {
+    match kind {
+        CellKind::Tet4 => "use tet10 cells, which do not lock",
+        CellKind::Tri3 => "use tri6 cells, which do not lock",
+        _ => "the full formulation of quadratic cells does not lock",
+    }
+}
+
+/// A point for people: six digits each.
+fn place(point: &[f64; 3]) -> String {
+    let [x, y, z] = point.map(|x| format!("{x:.5e}").parse().unwrap_or(x));
+    format!("({x}, {y}, {z})")
 }

@@ -6,6 +6,7 @@
 //! | [`case`] | reads and checks a case file |
 //! | [`expression`] | formulas in x, y, z |
 //! | [`fclib`] | frictional contact problems of the Siconos group |
+//! | [`mesh`] | mesh files: Gmsh, Abaqus, CalculiX |
 //! | [`problem`] | contact problems as matrices: `.npz` archives, Matrix Market folders |
 //! | [`atomic`] | sets of files that appear together or not at all |
 //! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
@@ -19,6 +20,7 @@ mod error;
 pub mod expression;
 pub mod fclib;
 pub mod history;
+pub mod mesh;
 mod names;
 pub mod problem;
 pub mod pvd;

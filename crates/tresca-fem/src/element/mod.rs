@@ -31,7 +31,7 @@ pub use hex20::Hex20;
 pub use hex27::Hex27;
 pub use line2::Line2;
 pub use line3::Line3;
-pub(crate) use mapping::{inverse_jacobian, physical_gradients};
+pub(crate) use mapping::{Orientation, inverse_jacobian, orientation, physical_gradients};
 pub use quad4::Quad4;
 pub use quad8::Quad8;
 pub use quad9::Quad9;
@@ -130,4 +130,16 @@ impl CellKind {
     pub fn faces(self) -> &'static [ReferenceFace] {
         self.element().faces()
     }
+}
+
+/// For each node of a kind the corners that it lies amid: itself for a corner.
+pub(crate) fn corners_of_nodes(kind: CellKind) -> Vec<Vec<usize>> {
+    let mut values = vec![0.0; kind.corner_count()];
+    let nodes = kind.element().nodes().iter();
+    nodes
+        .map(|&xi| {
+            kind.linear().element().shape(xi, &mut values);
+            (0..values.len()).filter(|&a| values[a] != 0.0).collect()
+        })
+        .collect()
 }

@@ -12,22 +12,28 @@
 //! ```
 
 mod brick;
+mod convert;
+mod cut;
+mod duplicates;
+mod elevate;
 mod geometry;
 mod grid;
 mod kind;
 mod parts;
+mod quality;
 mod rectangle;
 mod space;
+mod submesh;
 mod topology;
 
 pub use brick::{BrickSpec, brick};
 pub use geometry::BoundingBox;
-pub(crate) use geometry::{FaceTables, cell_determinant, gather_points};
+pub(crate) use geometry::{FaceTables, gather_points};
 pub use kind::CellKind;
 pub use parts::Part;
 pub use rectangle::{RectangleSpec, rectangle};
 pub use space::Space;
-pub use topology::Incidence;
+pub use topology::{FaceLookup, Incidence};
 
 use crate::FemError;
 use std::collections::BTreeMap;

@@ -4,5 +4,6 @@
 
 mod case;
 mod fclib;
+mod mesh;
 mod output;
 mod problem;

@@ -1,0 +1,13 @@
+//! The elements, their assembly and their stresses against closed forms, naive formulas and
+//! manufactured solutions. One binary: linking costs more than running.
+
+#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
+
+mod common;
+mod convergence;
+mod convergence_plane;
+mod grounding;
+mod locking;
+mod patch;
+mod plane;
+mod stiffness;

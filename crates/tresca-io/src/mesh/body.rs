@@ -1,0 +1,470 @@
+//! From a file to the mesh of a body.
+
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+use std::fmt;
+
+use tresca_fem::FemError;
+use tresca_fem::mesh::{BoundingBox, CellBlock, CellKind, Face, FaceLookup, Mesh, Space};
+
+use super::error::MeshFileError;
+use super::faces::{FaceMap, side};
+use super::file::{Group, MeshFile};
+use super::order::{reorder, turned_over};
+use super::placement::Placement;
+
+/// Distances below this part of a body's size are rounding: coordinates that should be 0 become 0.
+const ROUNDING: f64 = 1e-12;
+
+/// Nodes nearer than this part of a body's size count as one place.
+const SAME_PLACE: f64 = 1e-9;
+
+/// The mesh of a body with what was noticed on the way.
+#[derive(Debug)]
+pub struct BodyMesh {
+    /// Nodes are numbered without gaps, in the order of the file; cells block by block, in each in
+    /// the order of the file. Surface groups that have faces on this body are face sets; point,
+    /// curve and surface groups that have nodes of it are node sets. Where groups of different
+    /// dimensions share a name, the node sets of the lower ones are called by dimension and name,
+    /// as in `0:rim`.
+    pub mesh: Mesh,
+    /// What may be a mistake, or was put right.
+    pub notes: Vec<Note>,
+    /// Surface groups of this body that cannot be face sets, with the reason.
+    pub unusable: BTreeMap<String, MeshFileError>,
+    /// The cell of the file that each cell of the mesh is.
+    pub cells: Vec<usize>,
+    /// The point of the file that each node of the mesh is.
+    pub nodes: Vec<usize>,
+}
+
+/// Something about a mesh that its user should know.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Note {
+    /// Two nodes of one body at one place: it falls apart there.
+    DuplicateNodes {
+        /// How many pairs.
+        pairs: usize,
+        /// The numbers of the first pair in the file.
+        first: [u64; 2],
+        /// Their place, after placement (length).
+        at: [f64; 3],
+    },
+    /// Plane elements that ran clockwise were turned over.
+    Clockwise {
+        /// How many.
+        cells: usize,
+    },
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Note::DuplicateNodes { pairs, first, at } => write!(
+                f,
+                "{pairs} pairs of nodes lie on one another inside of the body, such as {} and {} at {at:?}: it is not \
+                 connected there. If it should be, merge the parts before meshing (Gmsh: `Coherence;` or \
+                 `BooleanFragments`, afterwards `Coherence Mesh;`)",
+                first[0], first[1]
+            ),
+            Note::Clockwise { cells } => write!(
+                f,
+                "{cells} elements of plane surfaces that run clockwise were turned over"
+            ),
+        }
+    }
+}
+
+impl MeshFile {
+    /// The mesh of a body: the cells of the volume group `part` (in the plane: of the surface
+    /// group), all cells of the dimension of the space without one.
+    ///
+    /// # Errors
+    /// Whatever keeps the cells from being a body: [`MeshFileError::NoCells`],
+    /// [`MeshFileError::NotPlane`], [`MeshFileError::UnknownGroup`],
+    /// [`MeshFileError::GroupDimension`], [`MeshFileError::OffPlane`],
+    /// [`MeshFileError::NegativeRadius`], [`MeshFileError::Inverted`],
+    /// [`MeshFileError::Folded`], [`MeshFileError::Degenerate`], [`MeshFileError::Refused`]. What is wrong with a surface group
+    /// is kept in [`BodyMesh::unusable`], for whoever wants to use it.
+    pub fn body(
+        &self,
+        space: Space,
+        part: Option<&str>,
+        placement: &Placement,
+    ) -> Result<BodyMesh, MeshFileError> {
+        let mut members = Members::new(self, self.cells_of(space, part)?);
+        let mut notes = Vec::new();
+        let points = self.points_of(space, &members.nodes, placement)?;
+        let blocks = members.blocks(self, space, &points, &mut notes);
+        let mut mesh = Mesh::new(space, points, blocks, BTreeMap::new()).map_err(|source| {
+            let path = self.path.clone();
+            MeshFileError::Refused { path, source }
+        })?;
+        self.check_shapes(&mesh, &members)?;
+        let mut unusable = BTreeMap::new();
+        self.face_sets(&mut mesh, &members, &mut unusable);
+        self.node_sets(&mut mesh, &members);
+        notes.extend(self.duplicate_nodes(&mesh, &members));
+        Ok(BodyMesh {
+            mesh,
+            notes,
+            unusable,
+            cells: members.cells,
+            nodes: members.nodes,
+        })
+    }
+
+    fn cells_of(&self, space: Space, part: Option<&str>) -> Result<Vec<usize>, MeshFileError> {
+        let dimension = space.dimension();
+        let count = |dimension| self.cells.of_dimension(dimension).count();
+        if dimension == 2 && count(3) > 0 {
+            return Err(MeshFileError::NotPlane {
+                path: self.path.clone(),
+                space,
+            });
+        }
+        let all: Vec<usize> = self.cells.of_dimension(dimension).collect();
+        if all.is_empty() {
+            return Err(MeshFileError::NoCells {
+                path: self.path.clone(),
+                dimension,
+                found: [count(1), count(2), count(3)],
+            });
+        }
+        match part {
+            Some(name) => Ok(self.group(name, dimension)?.cells.clone()),
+            None => Ok(all),
+        }
+    }
+
+    /// Placed points, with rounding removed where a coordinate has a meaning.
+    fn points_of(
+        &self,
+        space: Space,
+        nodes: &[usize],
+        placement: &Placement,
+    ) -> Result<Vec<[f64; 3]>, MeshFileError> {
+        let mut points: Vec<[f64; 3]> = nodes
+            .iter()
+            .map(|&node| placement.apply(self.points[node]))
+            .collect();
+        if space.dimension() == 3 {
+            return Ok(points);
+        }
+        let small = ROUNDING * BoundingBox::around(points.iter().copied()).diagonal();
+        for (point, &node) in points.iter_mut().zip(nodes) {
+            if point[2].abs() > small {
+                return Err(MeshFileError::OffPlane {
+                    path: self.path.clone(),
+                    node: self.point_numbers[node],
+                    z: point[2],
+                });
+            }
+            point[2] = 0.0;
+            if space == Space::Axisymmetric {
+                if point[0] < -small {
+                    return Err(MeshFileError::NegativeRadius {
+                        path: self.path.clone(),
+                        node: self.point_numbers[node],
+                        radius: point[0],
+                    });
+                }
+                if point[0].abs() <= small {
+                    point[0] = 0.0;
+                }
+            }
+        }
+        Ok(points)
+    }
+
+    fn check_shapes(&self, mesh: &Mesh, members: &Members) -> Result<(), MeshFileError> {
+        let Err(source) = mesh.check_cells() else {
+            return Ok(());
+        };
+        let path = self.path.clone();
+        let names = |cell: usize| {
+            let cell = members.cells[cell];
+            (self.element(cell), self.centre(cell))
+        };
+        Err(match source {
+            FemError::InvertedCell { cell, .. } => {
+                let (element, centre) = names(cell);
+                MeshFileError::Inverted {
+                    path,
+                    element,
+                    centre,
+                }
+            }
+            FemError::FoldedCell { cell, .. } => {
+                let (element, centre) = names(cell);
+                MeshFileError::Folded {
+                    path,
+                    element,
+                    centre,
+                }
+            }
+            FemError::DegenerateCell { cell, .. } => {
+                let (element, centre) = names(cell);
+                MeshFileError::Degenerate {
+                    path,
+                    element,
+                    centre,
+                }
+            }
+            source => MeshFileError::Refused { path, source },
+        })
+    }
+
+    fn duplicate_nodes(&self, mesh: &Mesh, members: &Members) -> Option<Note> {
+        let pairs = mesh.duplicate_nodes(SAME_PLACE);
+        let &[first, second] = pairs.first()?;
+        Some(Note::DuplicateNodes {
+            pairs: pairs.len(),
+            first: [first, second].map(|node| self.point_numbers[members.nodes[node]]),
+            at: mesh.points[first],
+        })
+    }
+
+    fn face_sets(
+        &self,
+        mesh: &mut Mesh,
+        members: &Members,
+        unusable: &mut BTreeMap<String, MeshFileError>,
+    ) {
+        let dimension = mesh.dimension();
+        let mut face_sets = BTreeMap::new();
+        let finder = Finder::new(self, members, mesh);
+        for group in self.groups.iter().filter(|g| g.dimension + 1 == dimension) {
+            match finder.faces(group) {
+                Ok(faces) if faces.is_empty() => {}
+                Ok(faces) => {
+                    face_sets.insert(group.name.clone(), faces);
+                }
+                Err(error) => {
+                    unusable.insert(group.name.clone(), error);
+                }
+            }
+        }
+        mesh.face_sets = face_sets;
+    }
+
+    fn node_sets(&self, mesh: &mut Mesh, members: &Members) {
+        let dimension = mesh.dimension();
+        // The groups come with the highest dimension first.
+        for group in self.groups.iter().filter(|g| g.dimension < dimension) {
+            let of_cells = group.cells.iter().flat_map(|&cell| self.cells.nodes(cell));
+            let of_sides = group.faces.iter().flat_map(|&of| side(&self.cells, of).1);
+            let mut nodes: Vec<usize> = of_cells
+                .chain(&group.nodes)
+                .copied()
+                .chain(of_sides)
+                .filter_map(|point| members.node(point))
+                .collect();
+            nodes.sort_unstable();
+            nodes.dedup();
+            if nodes.is_empty() {
+                continue;
+            }
+            let name = match mesh.node_sets.contains_key(&group.name) {
+                true => format!("{}:{}", group.dimension, group.name),
+                false => group.name.clone(),
+            };
+            mesh.node_sets.insert(name, nodes);
+        }
+    }
+}
+
+/// What of a file belongs to a body.
+#[derive(Debug)]
+struct Members {
+    /// By cell of the mesh.
+    cells: Vec<usize>,
+    /// By cell of the file; `usize::MAX` for none.
+    cell_numbers: Vec<usize>,
+    /// By node of the mesh, ascending.
+    nodes: Vec<usize>,
+    /// By point of the file; `usize::MAX` for none.
+    node_numbers: Vec<usize>,
+}
+
+impl Members {
+    fn new(file: &MeshFile, mut cells: Vec<usize>) -> Self {
+        // Cells of one kind stand together; a stable sort keeps the order of the file among them.
+        cells.sort_by_key(|&cell| file.cells.kind(cell));
+        let mut cell_numbers = vec![usize::MAX; file.cells.len()];
+        let mut used = vec![false; file.points.len()];
+        for (number, &cell) in cells.iter().enumerate() {
+            cell_numbers[cell] = number;
+            for &node in file.cells.nodes(cell) {
+                used[node] = true;
+            }
+        }
+        let nodes: Vec<usize> = (0..used.len()).filter(|&node| used[node]).collect();
+        let mut node_numbers = vec![usize::MAX; used.len()];
+        for (number, &node) in nodes.iter().enumerate() {
+            node_numbers[node] = number;
+        }
+        Self {
+            cells,
+            cell_numbers,
+            nodes,
+            node_numbers,
+        }
+    }
+
+    fn node(&self, point: usize) -> Option<usize> {
+        Some(self.node_numbers[point]).filter(|&number| number != usize::MAX)
+    }
+
+    fn cell(&self, cell: usize) -> Option<usize> {
+        Some(self.cell_numbers[cell]).filter(|&number| number != usize::MAX)
+    }
+
+    /// The blocks of cells. In the plane, surfaces that run clockwise throughout are turned over:
+    /// which way a surface runs is an accident of its drawing, not a defect of its mesh.
+    fn blocks(
+        &mut self,
+        file: &MeshFile,
+        space: Space,
+        points: &[[f64; 3]],
+        notes: &mut Vec<Note>,
+    ) -> Vec<CellBlock> {
+        let clockwise = match space.dimension() {
+            2 => self.clockwise_entities(file, points),
+            _ => BTreeMap::new(),
+        };
+        let mut turned = 0;
+        let mut blocks: Vec<CellBlock> = Vec::new();
+        let (mut nodes, mut scratch) = (Vec::new(), Vec::new());
+        for &cell in &self.cells {
+            let kind = file.cells.kind(cell);
+            nodes.clear();
+            nodes.extend(file.cells.nodes(cell).iter().map(|&p| self.node_numbers[p]));
+            if clockwise.get(&file.cells.entity(cell)) == Some(&true) {
+                reorder(turned_over(kind), &mut nodes, &mut scratch);
+                turned += 1;
+            }
+            match blocks.last_mut().filter(|block| block.kind == kind) {
+                Some(block) => block.connectivity.extend(&nodes),
+                None => blocks.push(CellBlock {
+                    kind,
+                    connectivity: nodes.clone(),
+                }),
+            }
+        }
+        if turned > 0 {
+            notes.push(Note::Clockwise { cells: turned });
+        }
+        blocks
+    }
+
+    /// By entity, whether all its cells in the body run clockwise.
+    fn clockwise_entities(&self, file: &MeshFile, points: &[[f64; 3]]) -> BTreeMap<u32, bool> {
+        let mut clockwise = BTreeMap::new();
+        for &cell in &self.cells {
+            let corners = &file.cells.nodes(cell)[..file.cells.kind(cell).corner_count()];
+            let place = |point: usize| points[self.node_numbers[point]];
+            // Twice the area, by the corners.
+            let area: f64 = (0..corners.len())
+                .map(|i| {
+                    let [ax, ay, _] = place(corners[i]);
+                    let [bx, by, _] = place(corners[(i + 1) % corners.len()]);
+                    ax * by - bx * ay
+                })
+                .sum();
+            let all = clockwise.entry(file.cells.entity(cell)).or_insert(true);
+            *all &= area < 0.0;
+        }
+        clockwise
+    }
+}
+
+/// Finds the faces of a body that a group means.
+struct Finder<'a> {
+    file: &'a MeshFile,
+    members: &'a Members,
+    mesh: &'a Mesh,
+    of_body: FaceLookup,
+    /// The faces of all cells, made when it must be known whether another body has a face.
+    of_file: OnceCell<FaceMap>,
+}
+
+impl<'a> Finder<'a> {
+    fn new(file: &'a MeshFile, members: &'a Members, mesh: &'a Mesh) -> Self {
+        Self {
+            file,
+            members,
+            mesh,
+            of_body: FaceLookup::new(mesh),
+            of_file: OnceCell::new(),
+        }
+    }
+
+    fn faces(&self, group: &Group) -> Result<Vec<Face>, MeshFileError> {
+        let cells = &self.file.cells;
+        let mut faces = Vec::new();
+        for &element in &group.cells {
+            let (kind, nodes) = (cells.kind(element), cells.nodes(element));
+            faces.extend(self.face(group, element, (kind, nodes))?);
+        }
+        for &[cell, local] in &group.faces {
+            if self.members.cell(cell).is_some() {
+                let (kind, nodes) = side(cells, [cell, local]);
+                faces.extend(self.face(group, cell, (kind, &nodes))?);
+            }
+        }
+        faces.sort_unstable();
+        faces.dedup();
+        Ok(faces)
+    }
+
+    /// The face of the body that a surface element is, or the side of a cell; `None` if it belongs
+    /// to other bodies or none. `element` is what an error names.
+    fn face(
+        &self,
+        group: &Group,
+        element: usize,
+        (kind, points): (CellKind, &[usize]),
+    ) -> Result<Option<Face>, MeshFileError> {
+        let nodes: Option<Vec<usize>> = points.iter().map(|&p| self.members.node(p)).collect();
+        let Some(mut nodes) = nodes else {
+            return Ok(None);
+        };
+        let missing = || MeshFileError::MissingFace {
+            path: self.file.path.clone(),
+            group: group.name.clone(),
+            element: self.file.element(element),
+        };
+        match self.of_body.sides(&nodes[..kind.corner_count()]) {
+            &[face] => {
+                // A linear element on a quadratic cell, or the reverse.
+                let mut own = self.mesh.face_nodes(face);
+                own.sort_unstable();
+                nodes.sort_unstable();
+                if own == nodes {
+                    Ok(Some(face))
+                } else {
+                    Err(missing())
+                }
+            }
+            [first, second, ..] => Err(MeshFileError::InteriorFace {
+                path: self.file.path.clone(),
+                group: group.name.clone(),
+                element: self.file.element(element),
+                sides: [first, second].map(|face| {
+                    let cell = self.members.cells[face.cell];
+                    self.file.element(cell)
+                }),
+            }),
+            // A body that touches this one along the nodes of the element may have the face.
+            [] => {
+                let map = || FaceMap::new(&self.file.cells, group.dimension + 1);
+                let corners = &points[..kind.corner_count()];
+                match self.of_file.get_or_init(map).contains(corners) {
+                    true => Ok(None),
+                    false => Err(missing()),
+                }
+            }
+        }
+    }
+}
