@@ -6,7 +6,7 @@ use serde::Serialize;
 use tresca_contact::{ContactData, Discretization};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::{nodal_areas, resultant};
-use tresca_fem::{assembly, rigid};
+use tresca_fem::rigid;
 
 use crate::ModelError;
 use crate::assemble::{couple_all, dof_maps};
@@ -250,19 +250,19 @@ fn contact_checks(model: &Model, contacts: &[ContactData]) -> Vec<ContactCheck> 
     let contacts = model.contacts().iter().zip(contacts);
     contacts
         .map(|(contact, data)| ContactCheck {
-                slave: model.surface_name(&contact.slave),
-                master: model.partner_name(&contact.master),
-                friction: contact.friction.name(),
-                coupling: match data.discretization {
-                    Discretization::NodeByNode => "node by node",
-                    Discretization::Mortar => "mortar",
-                    Discretization::Obstacle => "obstacle",
-                },
-                pairs: data.pairs.len(),
-                held: data.held_pairs,
-                uncoupled: data.uncoupled.len(),
-                area: data.overlap_area,
-                gap: data.gap_range(),
+            slave: model.surface_name(&contact.slave),
+            master: model.partner_name(&contact.master),
+            friction: contact.friction.name(),
+            coupling: match data.discretization {
+                Discretization::NodeByNode => "node by node",
+                Discretization::Mortar => "mortar",
+                Discretization::Obstacle => "obstacle",
+            },
+            pairs: data.pairs.len(),
+            held: data.held_pairs,
+            uncoupled: data.uncoupled.len(),
+            area: data.overlap_area,
+            gap: data.gap_range(),
         })
         .collect()
 }
@@ -276,8 +276,11 @@ fn warnings(
     let mut warnings = Vec::new();
     for (own, body) in bodies.iter().zip(model.bodies()) {
         let name = &own.name;
-        if let Some(reason) = assembly::locking(&body.mesh, &body.material, body.formulation) {
-            warnings.push(format!("body `{name}`: {reason}"));
+        if let Some(kind) = body.formulation.locking(&body.mesh, &body.material) {
+            warnings.push(format!(
+                "body `{name}` is nearly incompressible, and {kind} locks: take the formulation `b_bar` or \
+                 quadratic cells"
+            ));
         }
         let touched = model.contacts().iter().any(|contact| {
             let master = contact.master.surface();

@@ -89,11 +89,6 @@ impl Layout {
         self.pairs.len()
     }
 
-    /// Tangents per pair, d − 1.
-    pub fn tangents(&self) -> usize {
-        self.tangents
-    }
-
     /// Number of unknowns, d m.
     pub fn unknowns(&self) -> usize {
         self.weights.len()

@@ -13,7 +13,7 @@ use tresca_qcqp::Settings;
 
 use super::locate;
 use crate::ModelError;
-use crate::model::{Amount, LoadKind, Model, Step, SurfaceRef, VectorField};
+use crate::model::{Amount, ContactSpec, LoadKind, Model, Step, SurfaceRef, VectorField};
 
 /// The model that a case file describes.
 pub(super) fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
@@ -187,15 +187,16 @@ impl Builder<'_> {
     fn contacts(&self, model: &mut Model) -> Result<(), CaseError> {
         for contact in &self.file.contacts {
             let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
-            model
-                .add_contact_with_gap(
-                    name,
+            let spec = ContactSpec {
+                name,
+                gap: field(contact.gap.get_ref()),
+                ..ContactSpec::new(
                     self.reference(&contact.slave),
                     self.reference(&contact.master),
                     law(&contact.friction),
-                    field(contact.gap.get_ref()),
                 )
-                .map_err(self.at(&contact.span))?;
+            };
+            model.add_contact_as(spec).map_err(self.at(&contact.span))?;
         }
         Ok(())
     }
@@ -225,6 +226,7 @@ impl Builder<'_> {
                     .chain(pressures)
                     .chain(vectors.copied().map(same))
                     .collect(),
+                obstacles: Vec::new(),
                 bounds: amounts.bounds.iter().copied().map(same).collect(),
             };
             model

@@ -10,8 +10,8 @@
 use std::f64::consts::PI;
 
 use tresca::material::Isotropic;
-use tresca::model::{ContactSpec, PartnerRef};
 use tresca::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
+use tresca::model::{ContactSpec, PartnerRef};
 use tresca::{FrictionLaw, Model, Obstacle, Outcome, Run, Settings, Silent, SurfaceRef};
 
 use super::support::{assert_close, digits, report};
@@ -80,7 +80,10 @@ fn solved(model: &Model) -> Outcome {
 
 /// A hemisphere pushed by `approach` on a rigid plane.
 fn on_plane(space: Space, kind: CellKind, cells: usize, focus: f64, approach: f64) -> Outcome {
-    let face = |faces| SurfaceRef { body: "ball", faces };
+    let face = |faces| SurfaceRef {
+        body: "ball",
+        faces,
+    };
     let mut model = Model::new("Hertz");
     let material = Isotropic::new(YOUNG, POISSON).unwrap();
     let mesh = ball(space, kind, cells, focus, true);
@@ -129,7 +132,10 @@ fn a_sphere_on_a_rigid_plane() {
             digits(&of(1))
         ));
         assert!(errors[2][0] < 1e-2 && errors[2][1] < 2e-2, "{errors:?}");
-        assert!(errors[2][0] < errors[0][0] && errors[2][1] < errors[0][1], "{errors:?}");
+        assert!(
+            errors[2][0] < errors[0][0] && errors[2][1] < errors[0][1],
+            "{errors:?}"
+        );
     }
 }
 
@@ -146,7 +152,10 @@ fn a_cylinder_on_a_rigid_flat() {
             let a = (4.0 * load * RADIUS / (PI * stiffness)).sqrt();
             let p0 = 2.0 * load / (PI * a);
             // ∫ p x² dx / P = a²/4.
-            [(2.0 * found.radius / a - 1.0).abs(), (found.peak / p0 - 1.0).abs()]
+            [
+                (2.0 * found.radius / a - 1.0).abs(),
+                (found.peak / p0 - 1.0).abs(),
+            ]
         })
         .collect();
     let of = |k: usize| errors.iter().map(|e| e[k]).collect::<Vec<_>>();
@@ -156,7 +165,10 @@ fn a_cylinder_on_a_rigid_flat() {
         digits(&of(1))
     ));
     assert!(errors[2][0] < 1e-2 && errors[2][1] < 2e-2, "{errors:?}");
-    assert!(errors[2][0] < errors[0][0] && errors[2][1] < errors[0][1], "{errors:?}");
+    assert!(
+        errors[2][0] < errors[0][0] && errors[2][1] < errors[0][1],
+        "{errors:?}"
+    );
 }
 
 /// The example that many programs print: R = 50, E = 20 000, ν = 0.3, each hemisphere moved by half of the
@@ -174,7 +186,13 @@ fn two_hemispheres() {
         let material = Isotropic::new(YOUNG, POISSON).unwrap();
         let upper = ball(Space::Axisymmetric, CellKind::Quad8, cells, 0.3, true);
         // Other cells, and more of them: the two meshes do not match.
-        let lower = ball(Space::Axisymmetric, CellKind::Tri6, cells + cells / 3, 0.3, false);
+        let lower = ball(
+            Space::Axisymmetric,
+            CellKind::Tri6,
+            cells + cells / 3,
+            0.3,
+            false,
+        );
         model.add_body("upper", upper, material).unwrap();
         model.add_body("lower", lower, material).unwrap();
         let sides = [("upper", "y+", -0.5), ("lower", "y-", 0.5)];
@@ -209,6 +227,9 @@ fn two_hemispheres() {
     }
     let last = lines[1];
     // a/R* is 0.4: Hertz's half-spaces are an approximation of that order squared.
-    assert!(last[0].abs() < 0.12 && last[1].abs() < 0.06 && last[2].abs() < 0.06, "{lines:?}");
+    assert!(
+        last[0].abs() < 0.12 && last[1].abs() < 0.06 && last[2].abs() < 0.06,
+        "{lines:?}"
+    );
     assert!(last[3].abs() < 0.05, "{lines:?}");
 }

@@ -4,7 +4,9 @@
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
 use tresca::model::{ContactSpec, LoadKind};
-use tresca::{CouplingMethod, Field, FrictionLaw, Model, Outcome, Run, Settings, Silent, SurfaceRef};
+use tresca::{
+    CouplingMethod, Field, FrictionLaw, Model, Outcome, Run, Settings, Silent, SurfaceRef,
+};
 
 use super::support::report;
 
@@ -23,7 +25,12 @@ fn block(kind: CellKind, min: [f64; 3], max: [f64; 3], nodes: [usize; 3]) -> Mes
 }
 
 /// Two blocks, pressed together between rollers; `slope` inclines the interface.
-fn blocks(upper: (CellKind, [usize; 3]), lower: (CellKind, [usize; 3]), slope: f64, law: FrictionLaw) -> Model {
+fn blocks(
+    upper: (CellKind, [usize; 3]),
+    lower: (CellKind, [usize; 3]),
+    slope: f64,
+    law: FrictionLaw,
+) -> Model {
     let face = |body, faces| SurfaceRef { body, faces };
     let steel = Isotropic::new(2.1e5, 0.3).unwrap();
     // Straight sides stay straight, the interface becomes a plane across the column.
@@ -44,10 +51,14 @@ fn blocks(upper: (CellKind, [usize; 3]), lower: (CellKind, [usize; 3]), slope: f
         model.support(None, &[face(body, "x-")], roller(0)).unwrap();
         model.support(None, &[face(body, "y-")], roller(1)).unwrap();
     }
-    model.support(None, &[face("lower", "z-")], roller(2)).unwrap();
+    model
+        .support(None, &[face("lower", "z-")], roller(2))
+        .unwrap();
     let on = vec![model.resolve(face("upper", "z+")).unwrap()];
     let value = Field::Constant(PRESSURE);
-    model.add_load(None, LoadKind::Pressure { on, value }).unwrap();
+    model
+        .add_load(None, LoadKind::Pressure { on, value })
+        .unwrap();
     let contact = ContactSpec {
         coupling: CouplingMethod::Mortar,
         ..ContactSpec::new(face("upper", "z-"), face("lower", "z+"), law)
@@ -98,7 +109,10 @@ fn a_constant_pressure_crosses_a_flat_interface() {
     for (upper, lower) in MIXTURES {
         let outcome = solved(&blocks(upper, lower, 0.0, FrictionLaw::Frictionless));
         let error = deviation(&outcome);
-        report(&format!("patch test, {} on {}: {error:.1e}", upper.0, lower.0));
+        report(&format!(
+            "patch test, {} on {}: {error:.1e}",
+            upper.0, lower.0
+        ));
         assert!(error < 1e-10, "{} on {}: {error:e}", upper.0, lower.0);
     }
 }
@@ -120,7 +134,13 @@ fn a_constant_traction_crosses_an_inclined_interface() {
 fn a_constant_pressure_crosses_an_interface_in_the_plane() {
     use CellKind::{Quad4, Quad8, Quad9, Tri3, Tri6};
     for space in [Space::Plane, Space::Axisymmetric] {
-        for (above, below) in [(Quad4, Quad4), (Tri3, Quad4), (Tri6, Quad8), (Quad8, Tri3), (Quad9, Tri6)] {
+        for (above, below) in [
+            (Quad4, Quad4),
+            (Tri3, Quad4),
+            (Tri6, Quad8),
+            (Quad8, Tri3),
+            (Quad9, Tri6),
+        ] {
             let part = |kind: CellKind, low: f64, nodes| {
                 let spec = RectangleSpec {
                     space,
@@ -134,8 +154,12 @@ fn a_constant_pressure_crosses_an_interface_in_the_plane() {
             let face = |body, faces| SurfaceRef { body, faces };
             let steel = Isotropic::new(2.1e5, 0.3).unwrap();
             let mut model = Model::new("patch test in the plane");
-            model.add_body("upper", part(above, 1.0, [5, 3]), steel).unwrap();
-            model.add_body("lower", part(below, 0.0, [7, 4]), steel).unwrap();
+            model
+                .add_body("upper", part(above, 1.0, [5, 3]), steel)
+                .unwrap();
+            model
+                .add_body("lower", part(below, 0.0, [7, 4]), steel)
+                .unwrap();
             for body in ["upper", "lower"] {
                 let held = [Some(0.0), None, None];
                 model.support(None, &[face(body, "x-")], held).unwrap();
@@ -144,7 +168,9 @@ fn a_constant_pressure_crosses_an_interface_in_the_plane() {
             model.support(None, &[face("lower", "y-")], held).unwrap();
             let on = vec![model.resolve(face("upper", "y+")).unwrap()];
             let value = Field::Constant(PRESSURE);
-            model.add_load(None, LoadKind::Pressure { on, value }).unwrap();
+            model
+                .add_load(None, LoadKind::Pressure { on, value })
+                .unwrap();
             model
                 .add_contact_as(ContactSpec {
                     coupling: CouplingMethod::Mortar,

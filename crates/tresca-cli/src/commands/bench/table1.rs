@@ -203,7 +203,11 @@ fn whole_solve(
     Ok((prepared, outcome, begin.elapsed().as_secs_f64()))
 }
 
-pub(super) fn again(prepared: &mut Prepared, model: &Model, settings: &Settings) -> miette::Result<Outcome> {
+pub(super) fn again(
+    prepared: &mut Prepared,
+    model: &Model,
+    settings: &Settings,
+) -> miette::Result<Outcome> {
     match prepared
         .solve(model, settings, &mut Silent)
         .into_diagnostic()?
