@@ -32,11 +32,21 @@ BooleanUnion(23) = { Volume{20}; Delete; }{ Volume{21, 22}; Delete; };
 Box(24) = {-far, 0, -far, 2*far, far, 2*far};
 BooleanIntersection(3) = { Volume{23}; Delete; }{ Volume{24}; Delete; };
 
+
+// Only the part of each plate that the other one covers may touch it: an edge is drawn at its end.
+For k In {1 : 2}
+  x = (2*k - 3)*lap;
+  a = newp; Point(a) = {x, 0, 0};
+  b = newp; Point(b) = {x, width, 0};
+  cut = newc; Line(cut) = {a, b};
+  BooleanFragments{ Volume{k}; Delete; }{ Curve{cut}; Delete; }
+EndFor
+
 // Surfaces, found by where they are. A group may have faces on several bodies: the case file says upper.faying.
 e = 1e-3;
 end() = Surface In BoundingBox{-length - e, -e, -far, -length + e, far, far};
 end() += Surface In BoundingBox{length - e, -e, -far, length + e, far, far};
-faying() = Surface In BoundingBox{-far, -e, -e, far, far, e};
+faying() = Surface In BoundingBox{-lap - e, -e, -e, lap + e, far, e};
 outside() = Surface In BoundingBox{-far, -e, -thickness - e, lap + e, far, -thickness + e};
 outside() += Surface In BoundingBox{-lap - e, -e, thickness - e, far, far, thickness + e};
 seat_head() = Surface In BoundingBox{-head - e, -e, thickness - e, head + e, head + e, thickness + e};
