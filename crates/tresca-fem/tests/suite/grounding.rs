@@ -1,10 +1,10 @@
 //! Floating bodies: K K_reg⁻¹ K = K, and K_reg is as well conditioned as a clamped body's K.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/suite/grounding.rs
+<<<<<<<< HEAD:crates/tresca-fem/tests/fem/grounding.rs
+========
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
-========
->>>>>>>> g-fem:crates/tresca-fem/tests/fem/grounding.rs
+>>>>>>>> main:crates/tresca-fem/tests/suite/grounding.rs
 use crate::common::{dense, perturbed_brick, perturbed_rectangle};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};

@@ -1,14 +1,14 @@
 //! The assembled stiffness against a naive dense assembly, and its invariants.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/suite/stiffness.rs
+<<<<<<<< HEAD:crates/tresca-fem/tests/fem/stiffness.rs
+use crate::common::{dense, perturbed_brick};
+use tresca_fem::assembly::{Formulation, internal_forces, reduced_load, stiffness};
+========
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{dense, perturbed_brick};
 use tresca_fem::assembly::{internal_forces, reduced_load, stiffness};
-========
-use crate::common::{dense, perturbed_brick};
-use tresca_fem::assembly::{Formulation, internal_forces, reduced_load, stiffness};
->>>>>>>> g-fem:crates/tresca-fem/tests/fem/stiffness.rs
+>>>>>>>> main:crates/tresca-fem/tests/suite/stiffness.rs
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellBlock, CellKind, Mesh, RectangleSpec, Space, rectangle};
