@@ -69,7 +69,7 @@ fn blocks(
 
 fn solved(model: &Model) -> Outcome {
     let settings = Settings {
-        tolerance: 1e-13,
+        tolerance: 1e-14,
         ..Settings::default()
     };
     match tresca::solve(model, &settings, &mut Silent).unwrap() {
