@@ -5,9 +5,10 @@ use std::sync::Arc;
 use tresca_contact::FrictionLaw;
 use tresca_fem::FemError;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{self, BrickSpec, CellKind, RectangleSpec, Space};
+use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
 use tresca_io::case::{
-    self, Analysis, Body, CaseError, CaseFile, Friction, PlaneCells, Span, Surface,
+    self, Analysis, Body, CaseError, CaseFile, Coupling, Formulation, Friction, Partners, Span,
+    Surface,
 };
 use tresca_qcqp::Settings;
 
@@ -40,9 +41,12 @@ impl Builder<'_> {
         };
         let mut mesh = self.mesh(body).map_err(|error| {
             let help = "a brick or a rectangle is given by its corners `min` < `max` and by 2 or more \
-                        `nodes` per axis";
+                        `nodes` per axis; in the plane it is turned about z only";
             fault(body.mesh.span(), error, "this mesh", help)
         })?;
+        if *body.formulation.get_ref() != Formulation::Full {
+            return Err(self.unsupported(body.formulation.span(), "this formulation"));
+        }
         if let Some(map) = &body.map {
             let refuse = |error| {
                 let help = "the map must give finite coordinates, keep a radius at 0 or more, and turn no \
@@ -73,12 +77,13 @@ impl Builder<'_> {
     }
 
     fn mesh(&self, body: &Body) -> Result<mesh::Mesh, FemError> {
-        match body.mesh.get_ref() {
+        let mesh = match body.mesh.get_ref() {
             case::Mesh::Brick(brick) => mesh::brick(&BrickSpec {
                 min: brick.min.get_ref().values(),
                 max: brick.max.get_ref().values(),
                 nodes: brick.nodes.get_ref().values(),
-            }),
+            })?
+            .with_cells(brick.cells.kind())?,
             case::Mesh::Rectangle(rectangle) => mesh::rectangle(&RectangleSpec {
                 space: match self.file.analysis {
                     Analysis::Axisymmetric => Space::Axisymmetric,
@@ -87,12 +92,22 @@ impl Builder<'_> {
                 min: rectangle.min.get_ref().values(),
                 max: rectangle.max.get_ref().values(),
                 nodes: rectangle.nodes.get_ref().values(),
-                cells: match rectangle.cells {
-                    PlaneCells::Quad => CellKind::Quad4,
-                    PlaneCells::Triangle => CellKind::Tri3,
-                },
-            }),
+                cells: rectangle.cells.kind().linear(),
+            })?
+            .with_cells(rectangle.cells.kind())?,
+            // It is placed already.
+            case::Mesh::File(file) => return Ok(file.body.mesh.clone()),
+        };
+        match body.placement.is_identity() {
+            true => Ok(mesh),
+            false => mesh.mapped(|point| body.placement.apply(point)),
         }
+    }
+
+    /// Something that a case file may say and the model does not know.
+    fn unsupported(&self, span: Span, what: &str) -> CaseError {
+        let message = format!("{what} is not supported yet");
+        CaseError::semantic(&self.file.source, span, message, "here", "")
     }
 
     fn reference<'a>(&'a self, surface: &'a Surface) -> SurfaceRef<'a> {
@@ -116,6 +131,11 @@ impl Builder<'_> {
     }
 
     fn supports(&self, model: &mut Model) -> Result<(), CaseError> {
+        let supported = self.file.supports.iter().flat_map(|support| &support.on);
+        let held = self.file.clamps.iter().flat_map(|clamp| &clamp.on);
+        if let Some(nodes) = held.chain(supported).find(|on| on.nodes_only) {
+            return Err(self.unsupported(nodes.span.clone(), "a set of nodes"));
+        }
         for surface in self.file.clamps.iter().flat_map(|clamp| &clamp.on) {
             model
                 .clamp(self.reference(surface))
@@ -187,11 +207,17 @@ impl Builder<'_> {
     fn contacts(&self, model: &mut Model) -> Result<(), CaseError> {
         for contact in &self.file.contacts {
             let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
+            let Partners::Surfaces { slave, master } = &contact.partners else {
+                return Err(self.unsupported(contact.span.clone(), "this sort of contact"));
+            };
+            if contact.coupling == Coupling::Mortar || contact.search.is_some() {
+                return Err(self.unsupported(contact.span.clone(), "this coupling"));
+            }
             model
                 .add_contact_with_gap(
                     name,
-                    self.reference(&contact.slave),
-                    self.reference(&contact.master),
+                    self.reference(slave),
+                    self.reference(master),
                     law(&contact.friction),
                     field(contact.gap.get_ref()),
                 )
