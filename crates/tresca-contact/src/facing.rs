@@ -10,9 +10,9 @@ use crate::mortar::{Rules, Segments};
 /// The exterior faces of two bodies that face each other within a distance: (faces of `slave`, faces of
 /// `master`), ascending, both empty where the bodies are apart.
 ///
-/// Two faces face each other when their outward normals are more than 107° apart and some point of the
-/// one sees the other along its normal, in front or (where the bodies overlap) behind, at most
-/// `distance` (a length) away.
+/// Two faces face each other when their outward normals are more than 107° apart and the first sees the
+/// second along its normal, in front or (where the bodies overlap) behind, at most `distance` (a length)
+/// away in the middle of what it sees.
 ///
 /// # Errors
 /// [`ContactError::Search`] for a distance that is none, [`ContactError::DegenerateFace`].
@@ -38,8 +38,8 @@ pub fn facing_surfaces(
             let segments = Segments::new(slave.space, &rules, patch, facet);
             for candidate in tree.candidates(facet, reach) {
                 let other = &master.facets[candidate];
-                segments.points(&master.patches[other.patch], other, &mut points);
-                if points.iter().any(|point| point.distance.abs() <= distance) {
+                let patch = &master.patches[other.patch];
+                if segments.distance(patch, other, &mut points) <= distance {
                     partners.push(other.patch);
                 }
             }

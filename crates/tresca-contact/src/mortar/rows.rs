@@ -192,8 +192,7 @@ impl Sum {
 
     /// Divided by the area, entries of one node added up.
     fn finish(self) -> Option<Row> {
-        // Written so that NaN is no row either.
-        if !(self.area > 0.0) {
+        if self.area.is_nan() || self.area <= 0.0 {
             return None;
         }
         Some(Row {
