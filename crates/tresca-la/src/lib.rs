@@ -16,6 +16,6 @@ pub mod vector;
 pub use cholesky::{FactorError, SparseCholesky, TrailingBlock};
 pub use operator::LinearOperator;
 pub use ordering::{Ordering, OrderingError};
-pub use packed::PackedLower;
+pub use packed::{PackedLower, SquareReport};
 pub use parallelism::Parallelism;
 pub use symmetric::SymmetricMatrix;

@@ -7,10 +7,11 @@
 //! which it is read.
 
 mod kernels;
+mod square;
 
 use faer::{Mat, MatRef};
 use kernels::{Chunk, EDGE, Isa, Tile};
-use rayon::prelude::*;
+pub use square::SquareReport;
 
 /// A lower triangle of order n in n(n + 8)/2 entries: of a triangular matrix L,
 /// or standing for the symmetric matrix S with this lower triangle.
@@ -44,34 +45,6 @@ impl PackedLower {
                 packed.set(i, j, matrix[(i, j)]);
             }
         }
-        packed
-    }
-
-    /// From a function of row and column, called once for every entry on and below the diagonal, by
-    /// many threads; tile by tile, so that a function that reads a matrix does so in pieces that fit a cache.
-    pub fn from_fn(order: usize, entry: impl Fn(usize, usize) -> f64 + Sync) -> Self {
-        let edges = order.div_ceil(EDGE);
-        let mut packed = Self {
-            order,
-            tiles: Vec::new(),
-            isa: Isa::best(),
-        };
-        let starts: Vec<usize> = (0..edges).map(|panel| packed.panel_start(panel)).collect();
-        let tile = |index: usize| {
-            let panel = starts.partition_point(|&start| start <= index) - 1;
-            let block = panel + index - starts[panel];
-            let mut tile = Tile::ZERO;
-            for (j, column) in (panel * EDGE..order).take(EDGE).enumerate() {
-                for (i, row) in (block * EDGE..order).take(EDGE).enumerate() {
-                    if row >= column {
-                        tile.0[j][i] = entry(row, column);
-                    }
-                }
-            }
-            tile
-        };
-        let count = edges * (edges + 1) / 2;
-        packed.tiles = (0..count).into_par_iter().map(tile).collect();
         packed
     }
 
@@ -299,17 +272,6 @@ mod tests {
         let mut packed = PackedLower::from_lower(dense.as_ref());
         packed.isa = isa;
         packed
-    }
-
-    #[test]
-    fn a_function_fills_what_setting_fills() {
-        for n in ORDERS {
-            let filled = PackedLower::from_fn(n, |i, j| {
-                assert!(j <= i && i < n);
-                entry(i, j)
-            });
-            assert_eq!(filled.to_dense(), packed(n, Isa::best()).to_dense());
-        }
     }
 
     fn assert_close(actual: &[f64], expected: &[f64], what: &str, isa: Isa) {

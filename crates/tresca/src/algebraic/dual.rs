@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use rayon::prelude::*;
 use tresca_contact::Mobility;
 use tresca_la::PackedLower;
 use tresca_la::vector::{dot, norm};
@@ -48,24 +47,21 @@ impl Operator {
     /// # Errors
     /// When there are not order² values, one is not finite, or A is not symmetric.
     pub fn dense(order: usize, values: &[f64]) -> Result<Self, AlgebraicError> {
-        if values.len() != order * order || !values.par_iter().all(|value| value.is_finite()) {
-            check::vector("A", values, order * order, "order × order")?;
+        let expected = "order × order";
+        if values.len() != order * order {
+            check::vector("A", values, order * order, expected)?;
         }
-        let scale = values
-            .par_iter()
-            .map(|value| value.abs())
-            .reduce(|| 0.0, f64::max);
-        let matrix = PackedLower::from_fn(order, |i, j| {
-            let (below, above) = (values[order * i + j], values[order * j + i]);
-            if below == above {
-                below
-            } else {
-                0.5 * below + 0.5 * above
-            }
-        });
-        let (difference, row, column) = most_asymmetric(order, values);
-        let asymmetry = if scale > 0.0 { difference / scale } else { 0.0 };
+        let (matrix, seen) = PackedLower::symmetric_part(order, values);
+        if !seen.finite {
+            check::vector("A", values, order * order, expected)?;
+        }
+        let asymmetry = if seen.largest > 0.0 {
+            seen.asymmetry / seen.largest
+        } else {
+            0.0
+        };
         if asymmetry > ALLOWED_ASYMMETRY {
+            let (row, column) = most_asymmetric(order, values);
             return Err(AlgebraicError::DualNotSymmetric {
                 row,
                 column,
@@ -256,38 +252,18 @@ pub fn solve_dual(
     Ok(outcome)
 }
 
-/// Rows that are compared together: as many entries of a column as fit into the first cache.
-const ROWS: usize = 32;
-
-/// The largest |A_ij − A_ji| and where it is, the first of several.
-fn most_asymmetric(order: usize, values: &[f64]) -> (f64, usize, usize) {
-    let first_of_larger = |a: (f64, usize, usize), b: (f64, usize, usize)| {
-        if b.0 > a.0 || b.0 == a.0 && (b.1, b.2) < (a.1, a.2) {
-            b
-        } else {
-            a
-        }
-    };
-    let in_rows = |first: usize| {
-        let rows = first..order.min(first + ROWS);
-        let mut worst = (0.0, 0, 0);
-        // Along a row of the part above the diagonal, for all rows of the block below at once.
-        for j in 0..rows.end {
-            let above = &values[order * j..order * (j + 1)];
-            for i in rows.clone().filter(|&i| i > j) {
-                let difference = (values[order * i + j] - above[i]).abs();
-                if difference > 0.0 {
-                    worst = first_of_larger(worst, (difference, i, j));
-                }
+/// Where |A_ij − A_ji| is largest, i > j; the first of several.
+fn most_asymmetric(order: usize, values: &[f64]) -> (usize, usize) {
+    let mut worst = (0.0, (0, 0));
+    for i in 0..order {
+        for j in 0..i {
+            let difference = (values[order * i + j] - values[order * j + i]).abs();
+            if difference > worst.0 {
+                worst = (difference, (i, j));
             }
         }
-        worst
-    };
-    (0..order)
-        .into_par_iter()
-        .step_by(ROWS)
-        .map(in_rows)
-        .reduce(|| (0.0, 0, 0), first_of_larger)
+    }
+    worst.1
 }
 
 /// diag(w) A diag(w).

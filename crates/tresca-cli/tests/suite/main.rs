@@ -1,0 +1,7 @@
+//! The program as its users call it.
+//!
+//! One binary for all of them: what they share is compiled and linked once.
+
+mod fclib;
+mod matrices;
+mod program;

@@ -1,0 +1,136 @@
+//! Meshes and a linear solve shared by the tests.
+
+use faer::linalg::solvers::Solve;
+use tresca_fem::assembly::{reduced_load, stiffness};
+use tresca_fem::dofs::DofMap;
+use tresca_fem::material::Isotropic;
+use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
+use tresca_fem::supports::Supports;
+use tresca_la::SymmetricMatrix;
+use tresca_la::vector::{axpy, dot, norm};
+
+/// The unit cube with interior nodes moved by `amount` cell sizes, in a fixed irregular way.
+pub fn perturbed_brick(nodes: [usize; 3], amount: f64) -> Mesh {
+    let mut mesh = brick(&BrickSpec {
+        min: [0.0; 3],
+        max: [1.0; 3],
+        nodes,
+    })
+    .unwrap();
+    for (node, point) in mesh.points.iter_mut().enumerate() {
+        if point.iter().all(|&x| x > 0.0 && x < 1.0) {
+            for (i, x) in point.iter_mut().enumerate() {
+                let phase = (12.9898 * node as f64 + 78.233 * i as f64).sin() * 43758.5453;
+                *x += amount * (2.0 * (phase - phase.floor()) - 1.0) / (nodes[i] - 1) as f64;
+            }
+        }
+    }
+    mesh
+}
+
+/// A unit square from `min` on with interior nodes moved by `amount` cell sizes, in a fixed irregular
+/// way.
+pub fn perturbed_rectangle(
+    space: Space,
+    cells: CellKind,
+    min: [f64; 2],
+    nodes: [usize; 2],
+    amount: f64,
+) -> Mesh {
+    let max = min.map(|x| x + 1.0);
+    let mesh = rectangle(&RectangleSpec {
+        space,
+        min,
+        max,
+        nodes,
+        cells,
+    })
+    .unwrap();
+    let mut node = 0;
+    mesh.mapped(|point| {
+        let mut moved = point;
+        if (0..2).all(|i| point[i] > min[i] && point[i] < max[i]) {
+            for i in 0..2 {
+                let phase = (12.9898 * node as f64 + 78.233 * i as f64).sin() * 43758.5453;
+                moved[i] += amount * (2.0 * (phase - phase.floor()) - 1.0) / (nodes[i] - 1) as f64;
+            }
+        }
+        node += 1;
+        moved
+    })
+    .unwrap()
+}
+
+/// All entries of a symmetric matrix.
+pub fn dense(k: &SymmetricMatrix) -> Vec<Vec<f64>> {
+    let mut full = vec![vec![0.0; k.order()]; k.order()];
+    for j in 0..k.order() {
+        for (i, &value) in k.lower().row_idx_of_col(j).zip(k.lower().val_of_col(j)) {
+            full[i][j] = value;
+            full[j][i] = value;
+        }
+    }
+    full
+}
+
+/// The displacement (full dofs) under a load and supports, by faer's sparse Cholesky.
+pub fn solve(mesh: &Mesh, material: &Isotropic, supports: &Supports, load: &[f64]) -> Vec<f64> {
+    solve_by(mesh, material, supports, load, |k, f| {
+        let factor = k.lower().sp_cholesky(faer::Side::Lower).unwrap();
+        let x = factor.solve(faer::Col::from_fn(f.len(), |i| f[i]));
+        (0..f.len()).map(|i| x[i]).collect()
+    })
+}
+
+/// The same by conjugate gradients with the diagonal as preconditioner, to 1e-11: faster on the
+/// finer meshes.
+pub fn solve_by_cg(
+    mesh: &Mesh,
+    material: &Isotropic,
+    supports: &Supports,
+    load: &[f64],
+) -> Vec<f64> {
+    solve_by(mesh, material, supports, load, |k, f| {
+        let diagonal = k.diagonal();
+        let (mut x, mut r, mut kp) = (vec![0.0; f.len()], f.to_vec(), vec![0.0; f.len()]);
+        let precondition = |r: &[f64]| {
+            r.iter()
+                .zip(&diagonal)
+                .map(|(r, d)| r / d)
+                .collect::<Vec<f64>>()
+        };
+        let mut z = precondition(&r);
+        let mut p = z.clone();
+        let mut rz = dot(&r, &z);
+        for _ in 0..1000 {
+            k.mul(&p, &mut kp);
+            let alpha = rz / dot(&p, &kp);
+            axpy(alpha, &p, &mut x);
+            axpy(-alpha, &kp, &mut r);
+            if norm(&r) <= 1e-11 * norm(f) {
+                return x;
+            }
+            z = precondition(&r);
+            let before = std::mem::replace(&mut rz, dot(&r, &z));
+            p.iter_mut()
+                .zip(&z)
+                .for_each(|(p, z)| *p = z + rz / before * *p);
+        }
+        panic!("conjugate gradients did not converge");
+    })
+}
+
+fn solve_by(
+    mesh: &Mesh,
+    material: &Isotropic,
+    supports: &Supports,
+    load: &[f64],
+    solver: impl Fn(&SymmetricMatrix, &[f64]) -> Vec<f64>,
+) -> Vec<f64> {
+    let dofs = DofMap::new(supports);
+    let k = stiffness(mesh, material, &dofs).unwrap();
+    let f = reduced_load(mesh, material, &dofs, load, &supports.values()).unwrap();
+    let mut u = supports.values();
+    dofs.write_free(&solver(&k, &f), &mut u);
+    u
+}

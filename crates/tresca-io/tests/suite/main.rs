@@ -1,0 +1,8 @@
+//! Files that come in and files that go out.
+//!
+//! One binary for all of them: what they share is compiled and linked once.
+
+mod case;
+mod fclib;
+mod output;
+mod problem;

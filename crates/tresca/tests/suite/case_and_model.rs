@@ -1,0 +1,118 @@
+//! A case file and a model built by hand are the same thing.
+
+use tresca::case::Case;
+use tresca::model::LoadKind;
+use tresca::two_bricks::Units;
+use tresca::{Method, two_bricks};
+
+const TWO_BRICKS: &str = include_str!("../../../../cases/two-bricks.toml");
+
+#[test]
+fn the_benchmark_case_is_the_benchmark_model() {
+    let case = Case::parse("two-bricks.toml", TWO_BRICKS).unwrap();
+    let model = two_bricks(16, Units::METRE_MEGAPASCAL).unwrap();
+    assert_eq!(case.settings().method, Method::Grssn);
+    assert_eq!(case.model.bodies().len(), 2);
+    for (a, b) in case.model.bodies().iter().zip(model.bodies()) {
+        assert_eq!(a.name, b.name);
+        assert_eq!(a.mesh.points, b.mesh.points);
+        assert_eq!(a.material, b.material);
+    }
+    assert_eq!(case.model.supports(), model.supports());
+    let contacts = |model: &tresca::Model| -> Vec<_> {
+        let contacts = model.contacts().iter();
+        contacts
+            .map(|c| {
+                let sides = [&c.slave, &c.master].map(|side| model.surface_name(side));
+                format!("{sides:?} {:?} {:?}", c.friction, c.gap)
+            })
+            .collect()
+    };
+    assert_eq!(contacts(&case.model), contacts(&model));
+    let loaded = |model: &tresca::Model| -> Vec<_> {
+        let loads = model.loads().iter();
+        loads
+            .flat_map(|load| match &load.kind {
+                LoadKind::Traction { on, value } => {
+                    let on = on.iter().map(|on| model.surface_name(on));
+                    on.map(|on| format!("{on} {value:?}")).collect::<Vec<_>>()
+                }
+                other => panic!("{other:?}"),
+            })
+            .collect()
+    };
+    assert_eq!(loaded(&case.model), loaded(&model));
+}
+
+/// Solves as far as the first error and gives the report's message with line and column.
+fn refused(text: &str) -> (String, (usize, usize)) {
+    let error = match Case::parse("case.toml", text) {
+        Err(error) => error,
+        Ok(case) => {
+            let run = tresca::solve(&case.model, case.settings(), &mut tresca::Silent);
+            case.locate(&run.err().expect("this case is wrong"))
+        }
+    };
+    (error.to_string(), error.line_column().unwrap_or((0, 0)))
+}
+
+#[test]
+fn a_body_that_nothing_holds_is_named_with_its_free_motions() {
+    let alone = r#"
+[[body]]
+name = "satellite"
+mesh = { brick = { min = [5.0, 0.0, 0.0], max = [6.0, 1.0, 1.0], nodes = [2, 2, 2] } }
+material = { young = 5.0e4, poisson = 0.3 }
+"#;
+    let text = TWO_BRICKS.to_owned() + alone;
+    let text = text.replace("[solver]", "[ solver ]");
+    let (message, (line, _)) = refused(&text);
+    assert!(
+        message.contains("`satellite` is not held") && message.contains("6 rigid motion"),
+        "{message}"
+    );
+    assert_eq!(text.lines().nth(line - 1).unwrap(), r#"name = "satellite""#);
+}
+
+#[test]
+fn faces_that_do_not_match_are_refused_at_their_contact() {
+    for (from, to, part) in [
+        (
+            "max = [2.0, 1.0, 1.0], nodes = [16, 16, 16]",
+            "max = [2.0, 1.0, 1.0], nodes = [16, 15, 16]",
+            "256",
+        ),
+        (
+            "max = [2.0, 1.0, 1.0]",
+            "max = [2.0, 1.1, 1.0]",
+            "no master node at its place",
+        ),
+    ] {
+        let (message, (line, _)) = refused(&TWO_BRICKS.replace(from, to));
+        assert!(
+            message.contains("do not match node by node") && message.contains(part),
+            "{message}"
+        );
+        assert!(
+            TWO_BRICKS
+                .lines()
+                .nth(line - 1)
+                .unwrap()
+                .contains("[contact]")
+                || line > 0
+        );
+    }
+}
+
+#[test]
+fn a_setting_out_of_range_is_refused_at_its_line() {
+    let (message, (line, _)) = refused(&TWO_BRICKS.replace("tolerance = 1e-8", "tolerance = 2.0"));
+    assert!(message.contains("tolerance"), "{message}");
+    assert!(
+        TWO_BRICKS
+            .lines()
+            .nth(line - 1)
+            .unwrap()
+            .starts_with("tolerance")
+    );
+}
