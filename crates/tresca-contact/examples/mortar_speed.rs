@@ -31,7 +31,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let (slave_faces, master_faces) = facing_surfaces(&slave, master, 0.5 / n as f64)?;
             let facing = start.elapsed();
             let dofs = [&slave, master].map(|mesh| DofMap::unsupported(mesh.node_count(), 3));
-            let side = |mesh, faces, dofs| Side { mesh, faces, dofs };
+            let side = |mesh, faces, dofs| Side {
+                mesh,
+                faces,
+                dofs,
+                taken: &[],
+            };
             let interface = Interface {
                 friction: &FrictionLaw::Frictionless,
                 gap: &Field::Constant(0.0),

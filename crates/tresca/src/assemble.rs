@@ -119,30 +119,35 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         })
         .collect::<Result<Vec<_>, ModelError>>()?;
     // Contact geometry first: it is quick, and its errors should not wait for the stiffness.
-    let contacts = model
-        .contacts()
-        .iter()
-        .enumerate()
-        .map(|(index, contact)| {
-            let side = |surface: &Surface| Side {
-                mesh: &model.bodies()[surface.body].mesh,
-                faces: model.faces(surface),
-                dofs: &dof_maps[surface.body],
-            };
-            let interface = Interface {
-                friction: &contact.friction,
-                gap: &contact.gap,
-            };
-            couple_node_by_node(side(&contact.slave), side(&contact.master), interface).map_err(
-                |source| ModelError::Coupling {
-                    contact: index,
-                    slave: model.surface_name(&contact.slave),
-                    master: model.surface_name(&contact.master),
-                    source,
-                },
-            )
-        })
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut contacts: Vec<ContactData> = Vec::with_capacity(model.contacts().len());
+    for (index, contact) in model.contacts().iter().enumerate() {
+        // Where two contacts of a slave body share an edge, its nodes belong to the first one.
+        let before = model.contacts().iter().zip(&contacts);
+        let same_slave = before.filter(|(other, _)| other.slave.body == contact.slave.body);
+        let taken: Vec<usize> = same_slave
+            .flat_map(|(_, data)| data.pairs.iter().map(|pair| pair.slave_node))
+            .collect();
+        let side = |surface: &Surface, taken| Side {
+            mesh: &model.bodies()[surface.body].mesh,
+            faces: model.faces(surface),
+            dofs: &dof_maps[surface.body],
+            taken,
+        };
+        let interface = Interface {
+            friction: &contact.friction,
+            gap: &contact.gap,
+        };
+        let (slave, master) = (side(&contact.slave, &taken), side(&contact.master, &[]));
+        let data = couple_node_by_node(slave, master, interface).map_err(|source| {
+            ModelError::Coupling {
+                contact: index,
+                slave: model.surface_name(&contact.slave),
+                master: model.surface_name(&contact.master),
+                source,
+            }
+        })?;
+        contacts.push(data);
+    }
     if contacts.iter().all(|data| data.pairs.is_empty()) {
         return Err(ModelError::NoFreePairs);
     }

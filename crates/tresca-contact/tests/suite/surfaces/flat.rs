@@ -4,7 +4,7 @@ use tresca_contact::{ContactError, CouplingMethod, Discretization, couple, coupl
 use tresca_fem::loads;
 use tresca_fem::mesh::CellKind;
 
-use crate::support::{
+use super::support::{
     Body, INTERFACE, add_product, block, cross, elevated, largest, mortar, relative,
     smallest_pivot, transposed_product, turn,
 };
@@ -213,6 +213,8 @@ fn rows_are_independent() {
                 let data = mortar(&slave, &master);
                 let pivot = smallest_pivot(&data, &slave, Some(&master));
                 assert!(pivot > 1e-3, "{kinds:?} {cells:?} {low:?}: {pivot:e}");
+                let nodes = slave.mesh.nodes_of_faces(&slave.faces).len();
+                assert_eq!(data.pairs.len() + data.uncoupled.len(), nodes);
                 // Whatever is covered is transmitted.
                 let area: f64 = data.pairs.iter().map(|pair| pair.area).sum();
                 let size = |k: usize| high[k].min([2.0, 1.0][k]) - low[k].max(0.0);

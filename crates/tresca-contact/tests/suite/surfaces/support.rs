@@ -21,6 +21,7 @@ pub struct Body {
     pub mesh: Mesh,
     pub dofs: DofMap,
     pub faces: Vec<Face>,
+    pub taken: Vec<usize>,
 }
 
 impl Body {
@@ -28,7 +29,12 @@ impl Body {
     pub fn new(mesh: Mesh, on: impl Fn([f64; 3]) -> bool) -> Self {
         let dofs = DofMap::unsupported(mesh.node_count(), mesh.dimension());
         let faces = boundary_where(&mesh, on);
-        Self { mesh, dofs, faces }
+        Self {
+            mesh,
+            dofs,
+            faces,
+            taken: Vec::new(),
+        }
     }
 
     /// Holds components of nodes.
@@ -51,6 +57,7 @@ impl Body {
             mesh: &self.mesh,
             faces: &self.faces,
             dofs: &self.dofs,
+            taken: &self.taken,
         }
     }
 }

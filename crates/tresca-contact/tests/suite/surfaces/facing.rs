@@ -3,8 +3,8 @@
 use tresca_contact::{ContactError, facing_surfaces};
 use tresca_fem::mesh::CellKind;
 
-use crate::flat::KINDS;
-use crate::support::{block, boundary_where};
+use super::flat::KINDS;
+use super::support::{block, boundary_where};
 
 #[test]
 fn only_what_faces_each_other_is_found() {
