@@ -11,7 +11,7 @@ mod segment;
 pub(crate) use integrals::{over_faces, over_segments};
 pub(crate) use rows::{Master, assemble};
 pub(crate) use rules::Rules;
-pub(crate) use segment::Segments;
+pub(crate) use segment::{SegmentPoint, Segments};
 
 use crate::geometry::{Patches, Reach};
 use crate::restrained::restrained_frame;

@@ -66,11 +66,17 @@ impl<'a> Segments<'a> {
         self.points_of(rule, master, facet, points);
     }
 
-    /// The distance in the middle of the piece of the common part where it is least; infinite without one.
-    pub fn distance(&self, master: &Patch, facet: &Facet, work: &mut Vec<SegmentPoint>) -> f64 {
+    /// The distance along the normal in the middle of that piece of the common part where it is least in size,
+    /// negative behind the slave; `None` without a common part.
+    pub fn distance(
+        &self,
+        master: &Patch,
+        facet: &Facet,
+        work: &mut Vec<SegmentPoint>,
+    ) -> Option<f64> {
         self.points_of(self.rules.single(self.space), master, facet, work);
-        let distances = work.iter().map(|point| point.distance.abs());
-        distances.fold(f64::INFINITY, f64::min)
+        let distances = work.iter().map(|point| point.distance);
+        distances.min_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
     fn points_of(

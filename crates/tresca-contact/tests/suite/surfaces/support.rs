@@ -124,9 +124,7 @@ pub fn elevated(mesh: &Mesh, kind: CellKind) -> Mesh {
             cell.kind.element().shape(xi, &mut values);
             let mut x = [0.0; 3];
             for (value, &node) in values.iter().zip(cell.nodes) {
-                for k in 0..3 {
-                    x[k] += value * mesh.points[node][k];
-                }
+                x = std::array::from_fn(|k| x[k] + value * mesh.points[node][k]);
             }
             let key = x.map(|x| (x * 1e7).round() as i64);
             let node = *known.entry(key).or_insert_with(|| {

@@ -98,10 +98,11 @@ fn contacts_share_an_edge() {
     for kind in KINDS {
         let mesh = || block(kind, [0.0; 3], [2.0, 1.0, 0.5], [4, 2, 1]);
         // One floor in two parts, and a wall at the end of the floor.
-        let parts: [(&dyn Fn([f64; 3]) -> bool, [f64; 3]); 3] = [
-            (&|[x, _, z]| z == 0.0 && x <= 1.0, [0.0, 0.0, 1.0]),
-            (&|[x, _, z]| z == 0.0 && x >= 1.0, [0.0, 0.0, 1.0]),
-            (&|[x, _, _]| x == 2.0, [-1.0, 0.0, 0.0]),
+        type On = fn([f64; 3]) -> bool;
+        let parts: [(On, [f64; 3]); 3] = [
+            (|[x, _, z]| z == 0.0 && x <= 1.0, [0.0, 0.0, 1.0]),
+            (|[x, _, z]| z == 0.0 && x >= 1.0, [0.0, 0.0, 1.0]),
+            (|[x, _, _]| x == 2.0, [-1.0, 0.0, 0.0]),
         ];
         let mut taken = Vec::new();
         let mut all: Option<(Body, ContactData)> = None;
