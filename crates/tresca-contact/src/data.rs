@@ -15,6 +15,11 @@ pub struct Side<'a> {
     pub faces: &'a [Face],
     /// The body's dofs: a pair that supports hold completely is left out.
     pub dofs: &'a DofMap,
+    /// Nodes of a slave surface that have a pair in another contact already, along an edge that the two
+    /// contacts share. A second set of rows there could depend on the first, so mortar coupling and
+    /// obstacles leave these nodes to it and give their share to the neighbours. Coupling node by node
+    /// has no neighbours to give to and takes no notice, nor does the master side.
+    pub taken: &'a [usize],
 }
 
 /// What happens between the two sides.
@@ -77,7 +82,8 @@ pub struct ContactData {
     pub discretization: Discretization,
     /// Area of the slave surface that has a partner, held nodes included.
     pub overlap_area: f64,
-    /// Nodes of the slave surface that have no pair because (almost) nothing faces them, ascending.
+    /// Nodes of the slave surface that have no pair because (almost) nothing faces them, ascending;
+    /// without those of [`Side::taken`].
     pub uncoupled: Vec<usize>,
     /// Pairs left out because supports hold both nodes, or (mortar, obstacles) the normal of the slave node;
     /// the share of the surface that belongs to such a slave node is with its neighbours.

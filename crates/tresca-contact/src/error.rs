@@ -73,8 +73,11 @@ pub enum ContactError {
         /// Number of the point.
         node: usize,
     },
-    /// A face without area.
-    #[error("a face of the contact surface has no area, at ({}, {}, {})", point[0], point[1], point[2])]
+    /// A face without area, or a quadrilateral with a corner that points inwards.
+    #[error(
+        "a face of the contact surface has no area, or a corner that points inwards, at ({}, {}, {})",
+        point[0], point[1], point[2]
+    )]
     DegenerateFace {
         /// Its centre.
         point: [f64; 3],

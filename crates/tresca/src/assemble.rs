@@ -157,37 +157,49 @@ pub(crate) fn dof_maps(model: &Model) -> Result<Vec<DofMap>, ModelError> {
         .collect()
 }
 
-/// The geometry of every contact.
+/// The geometry of every contact, one after the other: where two contacts of a slave body share an edge, its
+/// nodes belong to the first one.
 pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactData>, ModelError> {
-    let contacts = model.contacts().iter().enumerate();
-    contacts
-        .map(|(index, contact)| {
-            coupled(model, contact, dofs).map_err(|source| ModelError::Coupling {
-                contact: index,
-                slave: model.surface_name(&contact.slave),
-                master: model.partner_name(&contact.master),
-                source,
-            })
-        })
-        .collect()
+    let mut contacts: Vec<ContactData> = Vec::with_capacity(model.contacts().len());
+    for (index, contact) in model.contacts().iter().enumerate() {
+        let before = model.contacts().iter().zip(&contacts);
+        let same_slave = before.filter(|(other, _)| other.slave.body == contact.slave.body);
+        let taken: Vec<usize> = same_slave
+            .flat_map(|(_, data)| data.pairs.iter().map(|pair| pair.slave_node))
+            .collect();
+        let data = coupled(model, contact, dofs, &taken);
+        contacts.push(data.map_err(|source| ModelError::Coupling {
+            contact: index,
+            slave: model.surface_name(&contact.slave),
+            master: model.partner_name(&contact.master),
+            source,
+        })?);
+    }
+    Ok(contacts)
 }
 
-/// The geometry of a contact.
-fn coupled(model: &Model, contact: &Contact, dofs: &[DofMap]) -> Result<ContactData, ContactError> {
-    let side = |surface: &Surface| Side {
+/// The geometry of a contact; `taken` are slave nodes that other contacts have.
+fn coupled(
+    model: &Model,
+    contact: &Contact,
+    dofs: &[DofMap],
+    taken: &[usize],
+) -> Result<ContactData, ContactError> {
+    let side = |surface: &Surface, taken| Side {
         mesh: &model.bodies()[surface.body].mesh,
         faces: model.faces(surface),
         dofs: &dofs[surface.body],
+        taken,
     };
     let interface = Interface {
         friction: &contact.friction,
         gap: &contact.gap,
     };
-    let slave = side(&contact.slave);
+    let slave = side(&contact.slave, taken);
     match &contact.master {
         Partner::Surface(master) => couple(
             slave,
-            side(master),
+            side(master, &[]),
             interface,
             contact.coupling,
             contact.search,

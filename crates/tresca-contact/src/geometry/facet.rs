@@ -54,10 +54,7 @@ impl Facet {
         let radius = points[..count].iter().map(distance).fold(0.0, f64::max);
         // A face without area has no normal, and nothing can be projected on it.
         let smallest = 1e-12 * radius.powi(count.min(3) as i32 - 1);
-        if area.is_nan() || area <= smallest {
-            return Err(ContactError::DegenerateFace { point: center });
-        }
-        Ok(Self {
+        let facet = Self {
             patch: index,
             parameters,
             points,
@@ -65,7 +62,24 @@ impl Facet {
             normal: vector.map(|x| x / area),
             radius,
             area,
-        })
+        };
+        if area.is_nan() || area <= smallest || !facet.is_convex() {
+            return Err(ContactError::DegenerateFace { point: center });
+        }
+        Ok(facet)
+    }
+
+    /// Is the facet convex on its own plane, as clipping and the inverse of its map need it? Two corners
+    /// in one place, as collapsed cells have them, do no harm.
+    fn is_convex(&self) -> bool {
+        let (corners, count) = self.on(&Plane::of(self));
+        let corner = |i: usize| corners[i % count];
+        count < 4
+            || (0..count).all(|i| {
+                let [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
+                let turn = cross2([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
+                turn >= -1e-9 * self.area
+            })
     }
 
     /// The corners on a plane.

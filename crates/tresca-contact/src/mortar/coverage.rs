@@ -1,9 +1,10 @@
 //! Which nodes have a multiplier on which faces.
 //!
 //! Not every slave node can have one. A node that supports hold in the direction of its normal cannot move
-//! against the master, and a node of which (almost) nothing is covered would see the master by
-//! extrapolation from a sliver. Their share of a face goes to its other nodes. On a face
-//! all of whose nodes would have to go, some stay, so that the face still carries its pressure.
+//! against the master, a node on an edge that two contacts share would see the same twice, and a node of
+//! which (almost) nothing is covered would see the master by extrapolation from a sliver. Their
+//! share of a face goes to its other nodes. On a face all of whose nodes would have to go, some stay, so that
+//! the face still carries its pressure.
 
 use super::SlaveSurface;
 use super::dual::positive_measures;
@@ -19,10 +20,12 @@ const SHARE_OF_WHOLE: f64 = 0.1;
 /// A face of which less than this share is covered is not worth a multiplier of its own.
 const TOUCHED: f64 = 1e-8;
 
-/// The nodes with a multiplier on each face, by local number; none on faces that nothing faces.
+/// The nodes with a multiplier on each face, by local number; none on faces that nothing faces, nor on
+/// faces in front of a `rigid` partner all of whose nodes are taken.
 pub(crate) fn multipliers(
     slave: &SlaveSurface<'_>,
     integrals: &[FaceIntegrals],
+    rigid: bool,
 ) -> Vec<[bool; MAX_NODES]> {
     let patches = &slave.patches.patches;
     let nodes = &slave.surface.nodes;
@@ -52,9 +55,21 @@ pub(crate) fn multipliers(
             return keep;
         }
         let indices: Vec<usize> = patch.nodes().iter().map(|&n| slave.index_of(n)).collect();
-        let all_held = indices.iter().all(|&i| held[i]);
-        let able = |&(_, &i): &(usize, &usize)| all_held || !held[i];
-        let local = || indices.iter().enumerate().filter(able);
+        let any = |able: &dyn Fn(usize) -> bool| indices.iter().any(|&i| able(i));
+        let own = |i: usize| !held[i] && !slave.taken[i];
+        let free = |i: usize| !held[i];
+        // The master of another contact is another body: its rows differ from these.
+        let able: &dyn Fn(usize) -> bool = if any(&own) {
+            &own
+        } else if any(&free) {
+            if rigid {
+                return keep;
+            }
+            &free
+        } else {
+            &|_| true
+        };
+        let local = || indices.iter().enumerate().filter(|&(_, &i)| able(i));
         for (a, _) in local().filter(|&(_, &i)| !scarce(i)) {
             keep[a] = true;
         }

@@ -12,6 +12,9 @@
 //! All integrals are over the covered part. Since M̃ 1 = D̃ 1, Σ ψ = 1 everywhere on the face: a constant
 //! pressure is among the multipliers, whatever is covered and whoever is left out.
 
+// Small matrices are written as in the formulas.
+#![allow(clippy::needless_range_loop)]
+
 use tresca_fem::mesh::CellKind;
 
 use super::integrals::Square;
@@ -255,8 +258,8 @@ mod tests {
     /// The reference element itself, and a part of it.
     fn parts(kind: CellKind) -> [([f64; 3], f64); 2] {
         match kind {
-            CellKind::Tri3 | CellKind::Tri6 => [([0.0; 3], 1.0), ([0.5, 0.1, 0.0], 0.4)],
-            _ => [([0.0; 3], 1.0), ([0.4, -0.5, 0.0], 0.3)],
+            CellKind::Tri3 | CellKind::Tri6 => [([0.0; 3], 1.0), ([0.3, 0.1, 0.0], 0.6)],
+            _ => [([0.0; 3], 1.0), ([0.4, -0.5, 0.0], 0.5)],
         }
     }
 
@@ -290,7 +293,7 @@ mod tests {
                     for i in 0..n {
                         let psi = &basis.coefficients[i];
                         // On a part M̃ is near to singular.
-                        let tolerance = if part == 0 { 1e-13 } else { 1e-8 };
+                        let tolerance = if part == 0 { 1e-13 } else { 1e-9 };
                         let against = |j: usize| -> f64 {
                             let entries = (0..count).flat_map(|k| (0..count).map(move |l| (k, l)));
                             entries.map(|(k, l)| psi[k] * mass[k][l] * rows[j][l]).sum()
@@ -300,7 +303,7 @@ mod tests {
                             let error = against(j).abs() / total;
                             assert!(error < tolerance, "{kind}, part {part}, {i} {j}: {error:e}");
                         }
-                        assert!((against(i) - measure).abs() < tolerance * total);
+                        assert!((against(i) - measure).abs() < n as f64 * tolerance * total);
                         assert!(measure > 0.0 || kind == CellKind::Quad8 && part == 1);
                     }
                     // Σ ψ = Σ_k (Σ_j C_jk) φ_k = 1.

@@ -11,7 +11,7 @@ mod segment;
 pub(crate) use integrals::{over_faces, over_segments};
 pub(crate) use rows::{Master, assemble};
 pub(crate) use rules::Rules;
-pub(crate) use segment::Segments;
+pub(crate) use segment::{SegmentPoint, Segments};
 
 use crate::geometry::{Patches, Reach};
 use crate::restrained::restrained_frame;
@@ -25,6 +25,8 @@ pub(crate) struct SlaveSurface<'a> {
     pub surface: ContactSurface,
     /// Its faces.
     pub patches: Patches,
+    /// Which of `surface.nodes` have their multipliers in another contact.
+    pub taken: Vec<bool>,
     /// Position in `surface.nodes` by node of the mesh.
     index: Vec<usize>,
 }
@@ -37,8 +39,15 @@ impl<'a> SlaveSurface<'a> {
         for (i, node) in surface.nodes.iter().enumerate() {
             index[node.node] = i;
         }
+        let mut taken = vec![false; surface.nodes.len()];
+        for &node in side.taken {
+            if let Some(taken) = index.get(node).and_then(|&i| taken.get_mut(i)) {
+                *taken = true;
+            }
+        }
         Ok(Self {
             side,
+            taken,
             patches: Patches::of_mesh(side.mesh, side.faces)?,
             surface,
             index,

@@ -58,7 +58,7 @@ pub(crate) fn assemble(
         let Some(row) = row else {
             if slave.holds_normal(index) {
                 held_pairs += 1;
-            } else {
+            } else if !slave.taken[index] {
                 uncoupled.push(node.node);
             }
             continue;
@@ -114,7 +114,7 @@ fn rows(
     master: Option<Master<'_>>,
 ) -> Vec<Option<Row>> {
     let patches = &slave.patches.patches;
-    let keep = multipliers(slave, integrals);
+    let keep = multipliers(slave, integrals, master.is_none());
     let bases: Vec<Option<DualBasis>> = patches
         .par_iter()
         .zip(integrals)
@@ -192,8 +192,7 @@ impl Sum {
 
     /// Divided by the area, entries of one node added up.
     fn finish(self) -> Option<Row> {
-        // Written so that NaN is no row either.
-        if !(self.area > 0.0) {
+        if self.area.is_nan() || self.area <= 0.0 {
             return None;
         }
         Some(Row {

@@ -27,6 +27,14 @@ impl Rules {
         }
     }
 
+    /// A single point, for those who only look.
+    pub fn single(&self, space: Space) -> &Rule {
+        match space {
+            Space::Solid => &self.triangles[0],
+            Space::Plane | Space::Axisymmetric => &self.lines[0],
+        }
+    }
+
     /// The rule for products of two shape functions of the slave face, or one of each face, on a
     /// segment of the two (a line in the plane, else a triangle).
     ///
@@ -35,12 +43,13 @@ impl Rules {
     /// parallelogram) they are not; a rule of higher degree then leaves errors of its order.
     pub fn segment(&self, space: Space, slave: &Patch, master: &Patch) -> &Rule {
         let (s, m) = (slave.kind.degree(), master.kind.degree());
-        let affine = slave.affine && master.affine;
-        let beyond = match (affine, slave.kind.order().max(master.kind.order())) {
+        // Measured on quadrilaterals distorted by a quarter of their size: 1e-10 of a constant pressure.
+        let beyond = |patch: &Patch| match (patch.affine, patch.kind) {
             (true, _) => 0,
-            (false, 1) => 4,
-            (false, _) => 2,
+            (false, CellKind::Line3 | CellKind::Tri6) => 2,
+            (false, _) => 4,
         };
+        let beyond = beyond(slave).max(beyond(master));
         let radius = usize::from(space == Space::Axisymmetric);
         let degree = (s + s.max(m) + beyond + radius).min(HIGHEST);
         match space {

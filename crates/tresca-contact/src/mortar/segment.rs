@@ -6,6 +6,7 @@
 //! master face itself. Weights are those of the slave face as it is, not of its projection.
 
 use tresca_fem::mesh::Space;
+use tresca_fem::quadrature::Rule;
 
 use super::rules::Rules;
 use crate::frame::{dot, norm};
@@ -61,8 +62,31 @@ impl<'a> Segments<'a> {
 
     /// Writes the integration points on the common part with a facet of the master face.
     pub fn points(&self, master: &Patch, facet: &Facet, points: &mut Vec<SegmentPoint>) {
-        points.clear();
         let rule = self.rules.segment(self.space, self.slave, master);
+        self.points_of(rule, master, facet, points);
+    }
+
+    /// The distance along the normal in the middle of that piece of the common part where it is least in size,
+    /// negative behind the slave; `None` without a common part.
+    pub fn distance(
+        &self,
+        master: &Patch,
+        facet: &Facet,
+        work: &mut Vec<SegmentPoint>,
+    ) -> Option<f64> {
+        self.points_of(self.rules.single(self.space), master, facet, work);
+        let distances = work.iter().map(|point| point.distance);
+        distances.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    fn points_of(
+        &self,
+        rule: &Rule,
+        master: &Patch,
+        facet: &Facet,
+        points: &mut Vec<SegmentPoint>,
+    ) {
+        points.clear();
         let (corners, count) = facet.on(&self.plane);
         let at = |p, weight| self.point(p, weight, master, facet, &corners);
         let reference = rule.points.iter().zip(&rule.weights);

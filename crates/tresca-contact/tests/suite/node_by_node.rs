@@ -40,6 +40,7 @@ fn couple(
             mesh,
             faces: mesh.faces_of_set(set).unwrap(),
             dofs,
+            taken: &[],
         }
     };
     couple_node_by_node(side(slave), side(master), INTERFACE)
@@ -181,11 +182,13 @@ fn surfaces_that_do_not_match_are_told_apart() {
             mesh: &upper,
             faces: &[],
             dofs: &dofs,
+            taken: &[],
         },
         Side {
             mesh: &upper,
             faces: &[],
             dofs: &dofs,
+            taken: &[],
         },
         INTERFACE,
     );

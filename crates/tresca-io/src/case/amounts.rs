@@ -15,6 +15,8 @@ pub struct Amounts {
     pub body_forces: Vec<Amount<[f64; 3]>>,
     /// Accelerations.
     pub gravities: Vec<Amount<[f64; 3]>>,
+    /// Displacements of the obstacles (length).
+    pub motions: Vec<[f64; 3]>,
     /// Slip bounds of the contacts (force per area), 0 or more; always `Factor(1.0)` where the law has
     /// no bound of its own: frictionless, Coulomb, tied, bilateral without bound.
     pub bounds: Vec<Amount<f64>>,

@@ -5,7 +5,9 @@ use toml::Spanned;
 use super::check::{Check, fault_of_name};
 use super::error::{CaseError, FaultKind};
 use super::fields::VectorField;
-use super::keys::{Analysis, BodyKeys, Material, Mesh};
+use super::keys::{BodyKeys, Formulation, Material};
+use super::mesh::Mesh;
+use crate::mesh::Placement;
 
 /// An elastic body.
 #[derive(Clone, Debug)]
@@ -14,10 +16,14 @@ pub struct Body {
     pub name: Spanned<String>,
     /// Where the mesh comes from; it has as many dimensions as the analysis.
     pub mesh: Spanned<Mesh>,
-    /// Where the points of that mesh go: new coordinates by old ones. Without a map they stay.
+    /// Where the points of a brick or rectangle go. The mesh of a file is already there.
+    pub placement: Placement,
+    /// Where the points of the placed mesh go: new coordinates by old ones. Without a map they stay.
     pub map: Option<VectorField>,
     /// What the body is made of.
     pub material: Spanned<Material>,
+    /// How its stiffness is integrated.
+    pub formulation: Spanned<Formulation>,
 }
 
 /// Names that the files of every run have, beside those of the bodies.
@@ -58,7 +64,7 @@ impl Check<'_> {
                     .with_help("give each body its own name; upper and lower case count as equal, for the names become names of files")
                     .into());
             }
-            self.mesh(&keys.mesh, keys.map.is_some())?;
+            let (mesh, placement) = self.mesh(keys.mesh, keys.map.is_some())?;
             self.material(keys.material.get_ref())?;
             let map = keys
                 .map
@@ -66,67 +72,17 @@ impl Check<'_> {
                 .transpose()?;
             resolved.push(Body {
                 name: keys.name,
-                mesh: keys.mesh,
+                mesh,
+                placement,
                 map,
+                formulation: keys.formulation.unwrap_or_else(|| {
+                    let span = keys.material.span();
+                    Spanned::new(span, Formulation::default())
+                }),
                 material: keys.material,
             });
         }
         Ok(resolved)
-    }
-
-    /// `mapped`: the coordinates of the mesh are not yet those of the body.
-    fn mesh(&self, mesh: &Spanned<Mesh>, mapped: bool) -> Result<(), CaseError> {
-        let (word, analysis) = (mesh.get_ref().word(), self.analysis.word());
-        if mesh.get_ref().dimension() != self.analysis.dimension() {
-            let (other, help) = match mesh.get_ref() {
-                Mesh::Brick(_) => (
-                    "rectangle",
-                    "without the key `analysis` a case is about bodies in space",
-                ),
-                Mesh::Rectangle(_) => (
-                    "brick",
-                    "plane cases have the key `analysis` at the top of the file: `plane_strain`, \
-                     `plane_stress` or `axisymmetric`",
-                ),
-            };
-            let fault = self
-                .fault(
-                    FaultKind::BadValue,
-                    mesh.span(),
-                    format!("a {word} does not belong in a case with `analysis = \"{analysis}\"`"),
-                    format!("expected `{other}`"),
-                )
-                .with_help(help);
-            return Err(match &self.analysis_span {
-                Some(span) => fault.and_at(span.clone(), "the analysis"),
-                None => fault,
-            }
-            .into());
-        }
-        match mesh.get_ref() {
-            Mesh::Brick(brick) => self.block(word, &brick.min, &brick.max, &brick.nodes),
-            Mesh::Rectangle(rectangle) => {
-                self.block(word, &rectangle.min, &rectangle.max, &rectangle.nodes)?;
-                let radius = &rectangle.min.get_ref().0[0];
-                if self.analysis == Analysis::Axisymmetric && !mapped && *radius.get_ref() < 0.0 {
-                    return Err(self
-                        .fault(
-                            FaultKind::BadValue,
-                            radius.span(),
-                            "the body crosses the axis of revolution",
-                            format!(
-                                "expected a radius of 0 or more, found {:?}",
-                                radius.get_ref()
-                            ),
-                        )
-                        .with_help(
-                            "in an axisymmetric case x is the radius and y runs along the axis",
-                        )
-                        .into());
-                }
-                Ok(())
-            }
-        }
     }
 
     fn body_name(&self, name: &Spanned<String>) -> Result<(), CaseError> {

@@ -1,6 +1,9 @@
-//! From keys to case: names are resolved, values checked, as far as no mesh is needed.
+//! From keys to case: names are resolved, values checked, as far as no stiffness is needed.
 
-use std::path::Path;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use toml::Spanned;
 
@@ -10,6 +13,8 @@ use super::keys::{Analysis, CaseKeys};
 use super::loading::Loading;
 use super::loads::Clamp;
 use super::source::{CaseSource, Span};
+use super::surface::Wanted;
+use crate::mesh::MeshFile;
 
 /// Longest name of anything, in bytes: names become parts of names of files.
 const MAX_NAME: usize = 64;
@@ -23,12 +28,13 @@ pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFi
             .as_ref()
             .map_or_else(Analysis::default, |a| *a.get_ref()),
         analysis_span: keys.analysis.as_ref().map(Spanned::span),
+        mesh_files: RefCell::default(),
     };
     let analysis = check.analysis;
     let bodies = check.bodies(keys.body)?;
     let clamps = all(keys.clamp, |clamp| {
         Ok(Clamp {
-            on: check.surfaces(&clamp.on, &bodies)?,
+            on: check.surfaces(&clamp.on, &bodies, Wanted::Nodes)?,
         })
     })?;
     let supports = all(keys.support, |keys| check.support(keys, &bodies))?;
@@ -37,7 +43,8 @@ pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFi
     let pressures = all(keys.pressure, |keys| check.pressure(keys, &bodies))?;
     let body_forces = all(keys.body_force, |keys| check.body_force(keys, &bodies))?;
     let gravities = all(keys.gravity, |keys| check.gravity(keys, &bodies))?;
-    let contacts = check.contacts(keys.contact, &bodies)?;
+    let obstacles = check.obstacles(keys.obstacle, &bodies)?;
+    let contacts = check.contacts(keys.contact, &bodies, &obstacles)?;
     let steps = check.steps(
         keys.step,
         &Loading {
@@ -47,6 +54,7 @@ pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFi
             body_forces: &body_forces,
             gravities: &gravities,
             contacts: &contacts,
+            obstacles: &obstacles,
         },
     )?;
     let title = keys.title.unwrap_or_else(|| {
@@ -64,6 +72,7 @@ pub(super) fn resolve<S>(keys: CaseKeys<S>, source: CaseSource) -> Result<CaseFi
         pressures,
         body_forces,
         gravities,
+        obstacles,
         contacts,
         steps,
         solver: keys.solver,
@@ -84,6 +93,8 @@ pub(super) struct Check<'a> {
     pub analysis: Analysis,
     /// Where the analysis stands, if it does.
     pub analysis_span: Option<Span>,
+    /// The mesh files that were read, by path: several bodies may come out of one.
+    pub mesh_files: RefCell<HashMap<PathBuf, Rc<MeshFile>>>,
 }
 
 impl Check<'_> {

@@ -6,6 +6,7 @@ use super::amounts::{Amount, Amounts, Quantity};
 use super::contact::Contact;
 use super::friction::Friction;
 use super::loads::{BodyForce, Gravity, Pressure, Support, Traction};
+use super::obstacle::Obstacle;
 
 /// What load steps speak of.
 pub(super) struct Loading<'a> {
@@ -15,6 +16,7 @@ pub(super) struct Loading<'a> {
     pub body_forces: &'a [BodyForce],
     pub gravities: &'a [Gravity],
     pub contacts: &'a [Contact],
+    pub obstacles: &'a [Obstacle],
 }
 
 /// A table that load steps may name, by its number in its list.
@@ -26,6 +28,7 @@ pub(super) enum Item {
     BodyForce(usize),
     Gravity(usize),
     Contact(usize),
+    Obstacle(usize),
 }
 
 impl<'a> Loading<'a> {
@@ -39,12 +42,15 @@ impl<'a> Loading<'a> {
             let names = list.iter().map(name).enumerate();
             names.filter_map(move |(i, name)| Some((name.as_ref()?, item(i))))
         }
+        let obstacles = self.obstacles.iter().enumerate();
+        let obstacles = obstacles.map(|(i, obstacle)| (&obstacle.name, Item::Obstacle(i)));
         of(self.supports, |support| &support.name, Item::Support)
             .chain(of(self.tractions, |load| &load.name, Item::Traction))
             .chain(of(self.pressures, |load| &load.name, Item::Pressure))
             .chain(of(self.body_forces, |load| &load.name, Item::BodyForce))
             .chain(of(self.gravities, |load| &load.name, Item::Gravity))
             .chain(of(self.contacts, |pair| &pair.name, Item::Contact))
+            .chain(obstacles)
             .collect()
     }
 
@@ -56,6 +62,11 @@ impl<'a> Loading<'a> {
             pressures: vec![Amount::Factor(1.0); self.pressures.len()],
             body_forces: vec![Amount::Factor(1.0); self.body_forces.len()],
             gravities: vec![Amount::Factor(1.0); self.gravities.len()],
+            motions: self
+                .obstacles
+                .iter()
+                .map(|o| o.motion.unwrap_or_default())
+                .collect(),
             bounds: vec![Amount::Factor(1.0); self.contacts.len()],
         }
     }
@@ -72,6 +83,7 @@ impl<'a> Loading<'a> {
             pressures: vec![Amount::Factor(0.0); self.pressures.len()],
             body_forces: vec![Amount::Factor(0.0); self.body_forces.len()],
             gravities: vec![Amount::Factor(0.0); self.gravities.len()],
+            motions: vec![[0.0; 3]; self.obstacles.len()],
             bounds: vec![Amount::Factor(1.0); self.contacts.len()],
         }
     }
@@ -105,7 +117,7 @@ impl<'a> Loading<'a> {
             Item::Pressure(i) => half(from.pressures[i], to.pressures[i], self.own_pressure(i)),
             Item::Contact(i) => half(from.bounds[i], to.bounds[i], self.own_bound(i)),
             // Their own values never vary.
-            Item::Support(_) | Item::BodyForce(_) | Item::Gravity(_) => false,
+            Item::Support(_) | Item::BodyForce(_) | Item::Gravity(_) | Item::Obstacle(_) => false,
         }
     }
 
@@ -138,6 +150,12 @@ impl<'a> Loading<'a> {
             gravities: each(&from.gravities, &to.gravities, t, |i| {
                 Some(self.gravities[i].value)
             })?,
+            motions: from
+                .motions
+                .iter()
+                .zip(&to.motions)
+                .map(|(from, to)| from.towards(*to, t))
+                .collect(),
             bounds: each(&from.bounds, &to.bounds, t, |i| self.own_bound(i))?,
         })
     }

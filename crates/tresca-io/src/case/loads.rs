@@ -8,7 +8,7 @@ use super::error::{CaseError, FaultKind};
 use super::fields::{Field, Kind, VectorField};
 use super::keys::{BodyForceKeys, GravityKeys, PressureKeys, SupportKeys, TractionKeys};
 use super::source::Span;
-use super::surface::Surface;
+use super::surface::{Surface, Wanted};
 use crate::expression::VARIABLES;
 use crate::names::{listed, nearest};
 
@@ -94,7 +94,7 @@ impl Check<'_> {
     ) -> Result<Support, CaseError> {
         let span = keys.span();
         let keys = keys.into_inner();
-        let on = self.surfaces(&keys.on, bodies)?;
+        let on = self.surfaces(&keys.on, bodies, Wanted::Nodes)?;
         let displacement = self.displacement([keys.x, keys.y, keys.z])?;
         if displacement == [None; 3] {
             return Err(self
@@ -191,7 +191,7 @@ impl Check<'_> {
         let value = self.vector_field("the traction", &keys.value)?;
         Ok(Traction {
             name: self.item_name(keys.name)?,
-            on: self.surfaces(&keys.on, bodies)?,
+            on: self.surfaces(&keys.on, bodies, Wanted::Faces)?,
             value,
             span,
         })
@@ -206,7 +206,7 @@ impl Check<'_> {
         let keys = keys.into_inner();
         Ok(Pressure {
             name: self.item_name(keys.name)?,
-            on: self.surfaces(&keys.on, bodies)?,
+            on: self.surfaces(&keys.on, bodies, Wanted::Faces)?,
             value: self.field("the pressure", Kind::Signed, &keys.value, "")?,
             span,
         })
@@ -262,7 +262,7 @@ impl Check<'_> {
     }
 
     /// Bodies by name; all of them without a list.
-    fn body_list(
+    pub(super) fn body_list(
         &self,
         list: Option<&Spanned<Vec<Spanned<String>>>>,
         bodies: &[Body],
@@ -278,7 +278,7 @@ impl Check<'_> {
                     "the list of bodies is empty",
                     "expected at least one name",
                 )
-                .with_help("without `bodies` the load acts on all of them")
+                .with_help("without `bodies` all of them are meant")
                 .into());
         }
         let names: Vec<&str> = bodies.iter().map(|b| b.name.get_ref().as_str()).collect();

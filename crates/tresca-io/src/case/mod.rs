@@ -23,8 +23,8 @@
 //! ```
 //!
 //! Reading goes in three steps, each with its own sort of error, all of them a [`CaseError`]: text to
-//! TOML, TOML to keys (the `keys` module, where every key is documented), and the checks that need no mesh.
-//! What needs a mesh, a stiffness or the list of solver settings is checked by whoever has it, and
+//! TOML, TOML to keys (the `keys` module, where every key is documented), and the checks that need no stiffness.
+//! Mesh files are read for them. What needs a stiffness or the list of solver settings is checked by whoever has it, and
 //! reported through [`CaseError::semantic`] with a span kept here or found by [`CaseSource::locate`].
 
 mod amounts;
@@ -38,6 +38,8 @@ mod friction;
 mod keys;
 mod loading;
 mod loads;
+mod mesh;
+mod obstacle;
 mod precheck;
 mod samples;
 mod source;
@@ -55,13 +57,17 @@ use toml::de::DeTable;
 
 pub use amounts::{Amount, Amounts, Quantity};
 pub use body::Body;
-pub use contact::Contact;
+pub use contact::{Contact, Partners};
 pub use entries::{Components, Pair, Triple};
 pub use error::{CaseError, Fault, FaultKind};
 pub use fields::{Field, VectorField};
 pub use friction::{Friction, LAWS};
-pub use keys::{Analysis, Brick, Material, Mesh, PlaneCells, Rectangle};
+pub use keys::{
+    Analysis, Brick, BrickCells, Coupling, Formulation, Material, PlaneCells, Rectangle,
+};
 pub use loads::{BodyForce, Clamp, Gravity, Pressure, Support, Traction};
+pub use mesh::{FileMesh, Mesh};
+pub use obstacle::{Obstacle, ObstacleShape};
 pub use samples::Samples;
 pub use source::{CaseSource, Span};
 pub use steps::{MAX_INCREMENTS, Step};
@@ -93,7 +99,9 @@ pub struct CaseFile<S> {
     pub body_forces: Vec<BodyForce>,
     /// Accelerations that act on masses; they add up.
     pub gravities: Vec<Gravity>,
-    /// Pairs that may touch; may be empty.
+    /// Rigid bodies that the others may touch; their names differ from those of the bodies, too.
+    pub obstacles: Vec<Obstacle>,
+    /// Surfaces that may touch; may be empty.
     pub contacts: Vec<Contact>,
     /// The history of loading, increment after increment; at least one.
     pub steps: Vec<Step>,

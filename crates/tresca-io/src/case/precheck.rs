@@ -10,10 +10,16 @@ use super::source::CaseSource;
 use super::translate::unsupported;
 
 /// Keys whose value is a table.
-const TABLES: [&str; 8] = [
+const TABLES: [&str; 14] = [
     "mesh",
     "brick",
     "rectangle",
+    "rotate",
+    "plane",
+    "sphere",
+    "cylinder",
+    "circle",
+    "surface",
     "material",
     "friction",
     "factors",
@@ -22,7 +28,7 @@ const TABLES: [&str; 8] = [
 ];
 
 /// Keys whose value is a list of tables.
-const TABLE_LISTS: [&str; 9] = [
+const TABLE_LISTS: [&str; 10] = [
     "body",
     "clamp",
     "support",
@@ -30,6 +36,7 @@ const TABLE_LISTS: [&str; 9] = [
     "pressure",
     "body_force",
     "gravity",
+    "obstacle",
     "contact",
     "step",
 ];

@@ -1,6 +1,5 @@
 //! Values at points, from a table in a file.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use rstar::RTree;
@@ -72,8 +71,7 @@ impl Check<'_> {
                 .into()
         };
         let name = file.get_ref();
-        let directory = Path::new(self.source.name()).parent();
-        let path = directory.unwrap_or(Path::new("")).join(name);
+        let path = self.beside(name);
         let text = std::fs::read_to_string(&path).map_err(|error| {
             fail(
                 format!("cannot read `{}`", path.display()),

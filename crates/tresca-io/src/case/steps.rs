@@ -132,7 +132,7 @@ impl Check<'_> {
                     )
                     .and_at(first, "the first time")
                     .with_help(
-                        "supports, loads and contacts have different names, so that a [[step]] \
+                        "supports, loads, obstacles and contacts have different names, so that a [[step]] \
                          can tell them apart",
                     )
                     .into());
@@ -208,10 +208,15 @@ impl Check<'_> {
             .fault(
                 FaultKind::BadReference,
                 name.span(),
-                format!("no support, load or contact is called `{}`", name.get_ref()),
+                format!(
+                    "no support, load, obstacle or contact is called `{}`",
+                    name.get_ref()
+                ),
                 match nearest(name.get_ref(), all.iter().copied()) {
                     Some(near) => format!("did you mean `{near}`?"),
-                    None => "expected the `name` of a support, load or contact".to_owned(),
+                    None => {
+                        "expected the `name` of a support, load, obstacle or contact".to_owned()
+                    }
                 },
             )
             .with_help(match all.as_slice() {
@@ -240,6 +245,22 @@ impl Check<'_> {
             Item::Pressure(i) => amounts.pressures[i] = Amount::Factor(number),
             Item::BodyForce(i) => amounts.body_forces[i] = Amount::Factor(number),
             Item::Gravity(i) => amounts.gravities[i] = Amount::Factor(number),
+            Item::Obstacle(i) => {
+                let obstacle = &loading.obstacles[i];
+                let Some(motion) = obstacle.motion else {
+                    return Err(self
+                        .fault(
+                            FaultKind::BadReference,
+                            name.span(),
+                            format!("the obstacle `{}` has no motion", name.get_ref()),
+                            "a factor of nothing",
+                        )
+                        .and_at(obstacle.span.clone(), "the obstacle")
+                        .with_help("give it a key `motion`, or a value in this step")
+                        .into());
+                };
+                amounts.motions[i] = motion.times(number);
+            }
             Item::Contact(i) => {
                 self.has_bound(name, &loading.contacts[i])?;
                 let help = "the slip bound is multiplied by it";
@@ -280,6 +301,9 @@ impl Check<'_> {
             Item::Gravity(i) => {
                 let vector = self.new_vector("the acceleration", name, value)?;
                 amounts.gravities[i] = Amount::Value(vector);
+            }
+            Item::Obstacle(i) => {
+                amounts.motions[i] = self.new_vector("the motion", name, value)?;
             }
             Item::Contact(i) => {
                 let contact = &loading.contacts[i];

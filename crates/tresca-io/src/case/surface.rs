@@ -8,13 +8,16 @@ use super::error::{CaseError, FaultKind};
 use super::source::Span;
 use crate::names::{listed, nearest};
 
-/// A surface of a body, written `body.face`.
+/// A surface of a body, or a set of its nodes, written `body.face`.
 #[derive(Clone, Debug)]
 pub struct Surface {
     /// Index into [`CaseFile::bodies`](super::CaseFile::bodies).
     pub body: usize,
-    /// Name of the face, one of [`Mesh::faces`](super::Mesh::faces).
+    /// Its name: one of [`Mesh::faces`](super::Mesh::faces), or of
+    /// [`Mesh::node_sets`](super::Mesh::node_sets).
     pub face: String,
+    /// The name is that of a set of nodes and of no face: only clamps and supports have such.
+    pub nodes_only: bool,
     /// Where it stands.
     pub span: Span,
 }
@@ -25,11 +28,21 @@ impl Surface {
     }
 }
 
+/// What a place has to be for something to act on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Faces, which have an area.
+    Faces,
+    /// Nodes are enough.
+    Nodes,
+}
+
 impl Check<'_> {
     pub(super) fn surfaces(
         &self,
         list: &Spanned<Vec<Spanned<String>>>,
         bodies: &[Body],
+        wanted: Wanted,
     ) -> Result<Vec<Surface>, CaseError> {
         if list.get_ref().is_empty() {
             return Err(self
@@ -44,7 +57,7 @@ impl Check<'_> {
         }
         let mut surfaces: Vec<Surface> = Vec::with_capacity(list.get_ref().len());
         for name in list.get_ref() {
-            let surface = self.surface(name, bodies)?;
+            let surface = self.place(name, bodies, wanted)?;
             if let Some(first) = surfaces.iter().find(|other| other.is_same(&surface)) {
                 return Err(self
                     .fault(
@@ -66,6 +79,15 @@ impl Check<'_> {
         &self,
         name: &Spanned<String>,
         bodies: &[Body],
+    ) -> Result<Surface, CaseError> {
+        self.place(name, bodies, Wanted::Faces)
+    }
+
+    fn place(
+        &self,
+        name: &Spanned<String>,
+        bodies: &[Body],
+        wanted: Wanted,
     ) -> Result<Surface, CaseError> {
         let span = name.span();
         let fault = |message: String, label: String| {
@@ -92,25 +114,54 @@ impl Check<'_> {
             .into());
         };
         let mesh = bodies[body].mesh.get_ref();
-        if !mesh.faces().contains(&face) {
-            let word = mesh.word();
+        let found = |nodes_only| Surface {
+            body,
+            face: face.to_owned(),
+            nodes_only,
+            span: span.clone(),
+        };
+        if mesh.faces().contains(&face) {
+            return Ok(found(false));
+        }
+        let is_node_set = mesh.node_sets().contains(&face);
+        if is_node_set && wanted == Wanted::Nodes {
+            return Ok(found(true));
+        }
+        if let Some(reason) = mesh.refusal(face) {
+            return Err(self.bad_mesh(span.clone(), reason));
+        }
+        if is_node_set {
             return Err(fault(
-                format!("the body `{body_name}` has no face `{face}`"),
-                match nearest(face, mesh.faces().iter().copied()) {
-                    Some(near) => format!("did you mean `{body_name}.{near}`?"),
-                    None => format!("expected a face of a {word}"),
-                },
+                format!("`{}` is a set of nodes, not a surface", name.get_ref()),
+                "expected faces".to_owned(),
             )
-            .with_help(format!(
-                "the faces of a {word} are {}",
-                listed(mesh.faces())
+            .with_help(faces_help(
+                &mesh.faces(),
+                &mesh.word(),
+                "only clamps and supports act on points and curves; ",
             ))
             .into());
         }
-        Ok(Surface {
-            body,
-            face: face.to_owned(),
-            span: span.clone(),
-        })
+        let mut known = mesh.faces();
+        if wanted == Wanted::Nodes {
+            known = mesh.node_sets();
+        }
+        let word = mesh.word();
+        Err(fault(
+            format!("the body `{body_name}` has no face `{face}`"),
+            match nearest(face, known.iter().copied()) {
+                Some(near) => format!("did you mean `{body_name}.{near}`?"),
+                None => format!("expected a face of {word}"),
+            },
+        )
+        .with_help(faces_help(&known, &word, ""))
+        .into())
+    }
+}
+
+fn faces_help(names: &[&str], word: &str, ahead: &str) -> String {
+    match names {
+        [] => format!("{ahead}{word} has no named faces: give it surface groups and mesh again"),
+        _ => format!("{ahead}the faces of {word} are {}", listed(names)),
     }
 }

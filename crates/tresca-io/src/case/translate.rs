@@ -196,6 +196,8 @@ fn wrong_type(source: &CaseSource, span: Span, found: &str, expected: &str) -> C
         Some(format!(
             "a list has brackets, also with one entry: [{text}]"
         ))
+    } else if found.starts_with("string") && expected.contains("{ file = ") {
+        Some(format!("a file is given in a table: {{ file = {text} }}"))
     } else if found.starts_with("string") && is_number(expected) {
         let inner = bare(text);
         Some(if inner.parse::<f64>().is_ok() {

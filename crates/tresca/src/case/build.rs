@@ -2,21 +2,26 @@
 
 use std::sync::Arc;
 
-use tresca_contact::FrictionLaw;
+use tresca_contact::{CouplingMethod, FrictionLaw, Obstacle, RigidSurface};
 use tresca_fem::FemError;
+use tresca_fem::assembly::Formulation;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{self, BrickSpec, CellKind, RectangleSpec, Space};
+use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
 use tresca_io::case::{
-    self, Analysis, Body, CaseError, CaseFile, Friction, PlaneCells, Span, Surface,
+    self, Analysis, Body, CaseError, CaseFile, Coupling, Friction, ObstacleShape, Partners, Span,
+    Surface,
 };
 use tresca_qcqp::Settings;
 
 use super::locate;
 use crate::ModelError;
-use crate::model::{Amount, ContactSpec, LoadKind, Model, Step, SurfaceRef, VectorField};
+use crate::model::{
+    Amount, ContactSpec, LoadKind, Model, PartnerRef, Step, SurfaceRef, VectorField,
+};
 
-/// The model that a case file describes.
-pub(super) fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
+/// The model that a case file describes, and for each contact of the model the table that it comes from:
+/// one table makes several contacts where bodies are paired by distance.
+pub(super) fn build(file: &CaseFile<Settings>) -> Result<(Model, Vec<usize>), CaseError> {
     let mut model = Model::new(&file.title);
     let builder = Builder { file };
     for body in &file.bodies {
@@ -24,9 +29,10 @@ pub(super) fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
     }
     builder.supports(&mut model)?;
     builder.loads(&mut model)?;
-    builder.contacts(&mut model)?;
-    builder.steps(&mut model)?;
-    Ok(model)
+    builder.obstacles(&mut model)?;
+    let tables = builder.contacts(&mut model)?;
+    builder.steps(&mut model, &tables)?;
+    Ok((model, tables))
 }
 
 struct Builder<'a> {
@@ -40,7 +46,7 @@ impl Builder<'_> {
         };
         let mut mesh = self.mesh(body).map_err(|error| {
             let help = "a brick or a rectangle is given by its corners `min` < `max` and by 2 or more \
-                        `nodes` per axis";
+                        `nodes` per axis; in the plane it is turned about z only";
             fault(body.mesh.span(), error, "this mesh", help)
         })?;
         if let Some(map) = &body.map {
@@ -62,10 +68,15 @@ impl Builder<'_> {
             Analysis::PlaneStress => material.plane_stress(),
             Analysis::Solid | Analysis::PlaneStrain | Analysis::Axisymmetric => material,
         };
-        let located = |error: ModelError| locate(self.file, &error);
+        let located = |error: ModelError| locate(self.file, &[], &error);
         model
             .add_body(body.name.get_ref(), mesh, material)
             .map_err(located)?;
+        let formulation = match body.formulation.get_ref() {
+            case::Formulation::Full => Formulation::Full,
+            case::Formulation::BBar => Formulation::BBar,
+        };
+        model.formulation(formulation).map_err(located)?;
         if let Some(density) = &constants.density {
             model.density(*density.get_ref()).map_err(located)?;
         }
@@ -73,12 +84,13 @@ impl Builder<'_> {
     }
 
     fn mesh(&self, body: &Body) -> Result<mesh::Mesh, FemError> {
-        match body.mesh.get_ref() {
+        let mesh = match body.mesh.get_ref() {
             case::Mesh::Brick(brick) => mesh::brick(&BrickSpec {
                 min: brick.min.get_ref().values(),
                 max: brick.max.get_ref().values(),
                 nodes: brick.nodes.get_ref().values(),
-            }),
+            })?
+            .with_cells(brick.cells.kind())?,
             case::Mesh::Rectangle(rectangle) => mesh::rectangle(&RectangleSpec {
                 space: match self.file.analysis {
                     Analysis::Axisymmetric => Space::Axisymmetric,
@@ -87,11 +99,15 @@ impl Builder<'_> {
                 min: rectangle.min.get_ref().values(),
                 max: rectangle.max.get_ref().values(),
                 nodes: rectangle.nodes.get_ref().values(),
-                cells: match rectangle.cells {
-                    PlaneCells::Quad => CellKind::Quad4,
-                    PlaneCells::Triangle => CellKind::Tri3,
-                },
-            }),
+                cells: rectangle.cells.kind().linear(),
+            })?
+            .with_cells(rectangle.cells.kind())?,
+            // It is placed already.
+            case::Mesh::File(file) => return Ok(file.body.mesh.clone()),
+        };
+        match body.placement.is_identity() {
+            true => Ok(mesh),
+            false => mesh.mapped(|point| body.placement.apply(point)),
         }
     }
 
@@ -184,24 +200,91 @@ impl Builder<'_> {
         Ok(())
     }
 
-    fn contacts(&self, model: &mut Model) -> Result<(), CaseError> {
-        for contact in &self.file.contacts {
-            let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
-            let spec = ContactSpec {
-                name,
-                gap: field(contact.gap.get_ref()),
-                ..ContactSpec::new(
-                    self.reference(&contact.slave),
-                    self.reference(&contact.master),
-                    law(&contact.friction),
-                )
+    fn obstacles(&self, model: &mut Model) -> Result<(), CaseError> {
+        for own in &self.file.obstacles {
+            let shape = match &own.shape {
+                ObstacleShape::Plane { point, normal } => Obstacle::Plane {
+                    point: *point,
+                    normal: *normal,
+                },
+                ObstacleShape::Sphere {
+                    center,
+                    radius,
+                    inside,
+                } => Obstacle::Sphere {
+                    center: *center,
+                    radius: *radius,
+                    inside: *inside,
+                },
+                ObstacleShape::Cylinder {
+                    point,
+                    axis,
+                    radius,
+                    inside,
+                } => Obstacle::Cylinder {
+                    point: *point,
+                    axis: *axis,
+                    radius: *radius,
+                    inside: *inside,
+                },
+                ObstacleShape::Surface(surface) => Obstacle::Surface(RigidSurface {
+                    points: surface.points.clone(),
+                    faces: surface.faces.clone(),
+                }),
             };
-            model.add_contact_as(spec).map_err(self.at(&contact.span))?;
+            model
+                .add_obstacle(own.name.get_ref(), shape, own.motion.unwrap_or([0.0; 3]))
+                .map_err(self.at(&own.span))?;
         }
         Ok(())
     }
 
-    fn steps(&self, model: &mut Model) -> Result<(), CaseError> {
+    fn contacts(&self, model: &mut Model) -> Result<Vec<usize>, CaseError> {
+        let mut tables = Vec::new();
+        for (table, contact) in self.file.contacts.iter().enumerate() {
+            let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
+            let friction = law(&contact.friction);
+            let gap = field(contact.gap.get_ref());
+            let coupling = match contact.coupling {
+                Coupling::Auto => CouplingMethod::Auto,
+                Coupling::NodeByNode => CouplingMethod::NodeByNode,
+                Coupling::Mortar => CouplingMethod::Mortar,
+            };
+            let (slave, master) = match &contact.partners {
+                Partners::Surfaces { slave, master } => {
+                    (slave, PartnerRef::Surface(self.reference(master)))
+                }
+                Partners::Obstacle { slave, obstacle } => {
+                    let name = self.file.obstacles[*obstacle].name.get_ref();
+                    (slave, PartnerRef::Obstacle(name))
+                }
+                Partners::Near { distance, bodies } => {
+                    let names = bodies.iter();
+                    let names: Vec<&str> = names
+                        .map(|&body| self.file.bodies[body].name.get_ref().as_str())
+                        .collect();
+                    let count = model
+                        .add_contacts_within(*distance, &names, name, &friction, &gap, coupling)
+                        .map_err(self.at(&contact.span))?;
+                    tables.extend(std::iter::repeat_n(table, count));
+                    continue;
+                }
+            };
+            let spec = ContactSpec {
+                name,
+                gap,
+                coupling,
+                search: contact.search,
+                ..ContactSpec::new(self.reference(slave), master, friction)
+            };
+            model.add_contact_as(spec).map_err(self.at(&contact.span))?;
+            tables.push(table);
+        }
+        Ok(tables)
+    }
+
+    /// `tables`: the table of each contact of the model.
+    fn steps(&self, model: &mut Model, tables: &[usize]) -> Result<(), CaseError> {
         let clamped: usize = self.file.clamps.iter().map(|clamp| clamp.on.len()).sum();
         for step in &self.file.steps {
             let amounts = &step.amounts;
@@ -226,12 +309,15 @@ impl Builder<'_> {
                     .chain(pressures)
                     .chain(vectors.copied().map(same))
                     .collect(),
-                obstacles: Vec::new(),
-                bounds: amounts.bounds.iter().copied().map(same).collect(),
+                obstacles: amounts.motions.iter().map(|&v| Amount::Value(v)).collect(),
+                bounds: tables
+                    .iter()
+                    .map(|&table| same(amounts.bounds[table]))
+                    .collect(),
             };
             model
                 .add_step(step)
-                .map_err(|error| locate(self.file, &error))?;
+                .map_err(|error| locate(self.file, &[], &error))?;
         }
         Ok(())
     }

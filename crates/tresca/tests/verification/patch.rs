@@ -15,13 +15,13 @@ const PRESSURE: f64 = 3.0;
 /// A block with uneven inner nodes, so that nothing is symmetric by chance.
 fn block(kind: CellKind, min: [f64; 3], max: [f64; 3], nodes: [usize; 3]) -> Mesh {
     let mesh = brick(&BrickSpec { min, max, nodes }).unwrap();
-    let mesh = mesh.with_cells(kind).unwrap();
     let inside = |x: f64, k: usize| (x - min[k]) * (max[k] - x);
-    mesh.mapped(|[x, y, z]| {
+    let uneven = mesh.mapped(|[x, y, z]| {
         let bump = 0.15 * inside(x, 0) * inside(y, 1);
         [x + bump * (y - 0.3), y - 0.8 * bump * (x - 0.6), z]
-    })
-    .unwrap()
+    });
+    // Quadratic cells with straight edges: of curved ones no rule integrates a constant stress exactly.
+    uneven.unwrap().with_cells(kind).unwrap()
 }
 
 /// Two blocks, pressed together between rollers; `slope` inclines the interface.
@@ -69,7 +69,7 @@ fn blocks(
 
 fn solved(model: &Model) -> Outcome {
     let settings = Settings {
-        tolerance: 1e-13,
+        tolerance: 1e-14,
         ..Settings::default()
     };
     match tresca::solve(model, &settings, &mut Silent).unwrap() {
@@ -79,11 +79,13 @@ fn solved(model: &Model) -> Outcome {
 }
 
 /// The largest relative deviation of a pair's traction from that of the uniaxial state.
-fn deviation(outcome: &Outcome) -> f64 {
+fn deviation(outcome: &Outcome, slope: f64) -> f64 {
+    let steepness = slope * slope * (1.0 + 0.4 * 0.4);
     let deviations = outcome.last().pairs().map(|pair| {
+        // On a roller the pair's normal is laid along what is free, the surface's is the same everywhere.
         let normal = pair.pair.frame.normal;
         // σ n of σ = −p e_z e_z, as the force of the slave on the master.
-        let expected = [0.0, 0.0, PRESSURE * normal[2]];
+        let expected = [0.0, 0.0, -PRESSURE / (1.0 + steepness).sqrt()];
         let friction = pair.friction_traction();
         let off: [f64; 3] =
             std::array::from_fn(|k| pair.pressure() * normal[k] + friction[k] - expected[k]);
@@ -108,7 +110,7 @@ const MIXTURES: [((CellKind, [usize; 3]), (CellKind, [usize; 3])); 9] = [
 fn a_constant_pressure_crosses_a_flat_interface() {
     for (upper, lower) in MIXTURES {
         let outcome = solved(&blocks(upper, lower, 0.0, FrictionLaw::Frictionless));
-        let error = deviation(&outcome);
+        let error = deviation(&outcome, 0.0);
         report(&format!(
             "patch test, {} on {}: {error:.1e}",
             upper.0, lower.0
@@ -121,7 +123,7 @@ fn a_constant_pressure_crosses_a_flat_interface() {
 fn a_constant_traction_crosses_an_inclined_interface() {
     for (upper, lower) in MIXTURES {
         let outcome = solved(&blocks(upper, lower, 0.2, FrictionLaw::tresca(1e3)));
-        let error = deviation(&outcome);
+        let error = deviation(&outcome, 0.2);
         report(&format!(
             "patch test, inclined, {} on {}: {error:.1e}",
             upper.0, lower.0

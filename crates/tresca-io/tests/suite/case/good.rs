@@ -2,7 +2,7 @@
 
 use tresca_io::case::{CaseError, FaultKind, Friction, Mesh};
 
-use crate::case::support::{GOOD, Method, Solver, parse, render, with};
+use crate::case::support::{GOOD, Method, Solver, pair, parse, render, with};
 
 #[test]
 fn the_founding_benchmark_is_read_as_it_stands() {
@@ -31,11 +31,9 @@ fn the_founding_benchmark_is_read_as_it_stands() {
     assert_eq!(case.tractions[0].value.constant(), Some([0.0, 0.0, -1.0]));
 
     let contact = &case.contacts[0];
-    assert_eq!((contact.slave.body, contact.slave.face.as_str()), (0, "z-"));
-    assert_eq!(
-        (contact.master.body, contact.master.face.as_str()),
-        (1, "z+")
-    );
+    let (slave, master) = pair(contact);
+    assert_eq!((slave.body, slave.face.as_str()), (0, "z-"));
+    assert_eq!((master.body, master.face.as_str()), (1, "z+"));
     let Friction::Tresca { bound } = &contact.friction else {
         panic!("another law");
     };
@@ -89,7 +87,7 @@ fn spans_cover_what_they_belong_to() {
     let case = parse(GOOD).unwrap();
     let text = |span: std::ops::Range<usize>| &GOOD[span];
     let contact = &case.contacts[0];
-    assert_eq!(text(contact.master.span.clone()), "\"lower.z+\"");
+    assert_eq!(text(pair(contact).1.span.clone()), "\"lower.z+\"");
     assert_eq!(text(contact.span.clone()), "[[contact]]");
     let Friction::Tresca { bound } = &contact.friction else {
         panic!("another law");
@@ -123,15 +121,15 @@ fn later_checks_find_the_place_of_a_key() {
 #[test]
 fn later_checks_report_like_the_early_ones() {
     let case = parse(GOOD).unwrap();
-    let contact = &case.contacts[0];
+    let (slave, master) = pair(&case.contacts[0]);
     let error = CaseError::semantic(
         &case.source,
-        contact.slave.span.clone(),
+        slave.span.clone(),
         "the two surfaces do not match node by node",
         "16 × 16 nodes",
         "give both bodies the same `nodes` along the contact surface",
     )
-    .and_at(contact.master.span.clone(), "16 × 15 nodes");
+    .and_at(master.span.clone(), "16 × 15 nodes");
     assert_eq!(error.line_column(), Some((21, 9)));
     let CaseError::Fault(fault) = &error else {
         panic!("{error:?}");

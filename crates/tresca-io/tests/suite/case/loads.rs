@@ -385,7 +385,7 @@ fn gravity_on_no_body() {
         ·           ╰── expected at least one name
      52 │ value = [0, 0, -10]
         ╰────
-      help: without `bodies` the load acts on all of them
+      help: without `bodies` all of them are meant
     "#);
 }
 
@@ -452,7 +452,8 @@ fn a_name_given_twice() {
         ·           ╰── the second time
      56 │ pair = ["upper.z-", "lower.z+"]
         ╰────
-      help: supports, loads and contacts have different names, so that a [[step]] can tell them apart
+      help: supports, loads, obstacles and contacts have different names, so that a [[step]] can tell
+            them apart
     "#);
 }
 

@@ -267,7 +267,7 @@ friction = { law = "tresca", bound = 0 }
         ╭─[case.toml:25:8]
      20 │ [[contact]]
      21 │ pair = ["upper.z-", "lower.z+"]
-        ·         ───────────┬──────────
+        ·        ────────────┬───────────
         ·                    ╰── the first time
      22 │ friction = { law = "tresca", bound = 0.09 }
      23 │

@@ -27,7 +27,7 @@ fn a_plane_case_is_read_as_it_stands() {
     assert_eq!(first.nodes.get_ref().values(), [5, 3]);
     assert_eq!(
         (first.cells, second.cells),
-        (PlaneCells::Quad, PlaneCells::Triangle)
+        (PlaneCells::Quad4, PlaneCells::Tri3)
     );
     assert!(block.map.is_none());
     let map = ground.map.as_ref().unwrap();
@@ -96,11 +96,11 @@ fn a_rectangle_in_space() {
     case::bad_value
 
       × a rectangle does not belong in a case with `analysis = "solid"`
-       ╭─[case.toml:4:8]
+       ╭─[case.toml:4:22]
      3 │ name = "block"
      4 │ mesh = { rectangle = { min = [0, 0], max = [2, 1], nodes = [5, 3] } }
-       ·        ───────────────────────────────┬──────────────────────────────
-       ·                                       ╰── expected `brick`
+       ·                      ───────────────────────┬──────────────────────
+       ·                                             ╰── expected `brick`
      5 │ material = { young = 1, poisson = 0.3 }
        ╰────
       help: plane cases have the key `analysis` at the top of the file: `plane_strain`, `plane_stress`
@@ -124,11 +124,11 @@ fn a_brick_in_the_plane() {
        ·                   ╰── the analysis
      2 │
        ╰────
-       ╭─[case.toml:5:8]
+       ╭─[case.toml:5:18]
      4 │ name = "block"
      5 │ mesh = { brick = { min = [0, 0, 0], max = [2, 1, 1], nodes = [5, 3, 3] } }
-       ·        ─────────────────────────────────┬─────────────────────────────────
-       ·                                         ╰── expected `rectangle`
+       ·                  ───────────────────────────┬───────────────────────────
+       ·                                             ╰── expected `rectangle`
      6 │ material = { young = 1, poisson = 0.3 }
        ╰────
       help: without the key `analysis` a case is about bodies in space
@@ -199,7 +199,7 @@ fn unknown_cells() {
         ·                                                                                  ╰── did you mean `triangle`?
      11 │ map = ["x", "y - 0.1*x^2"]
         ╰────
-      help: supported: `quad` and `triangle`
+      help: supported: `quad`, `quad4`, `quad8`, `quad9`, `tri3`, `triangle` and `tri6`
     "#);
 }
 

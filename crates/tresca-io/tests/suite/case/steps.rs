@@ -200,7 +200,7 @@ fn an_unknown_name() {
     assert_snapshot!(report(&rich("{ push = 0.5 }", "{ psh = 0.5 }")), @r#"
     case::bad_reference
 
-      × no support, load or contact is called `psh`
+      × no support, load, obstacle or contact is called `psh`
         ╭─[case.toml:82:13]
      81 │ name = "first"
      82 │ factors = { psh = 0.5 }
@@ -219,12 +219,12 @@ fn a_name_where_there_are_none() {
     assert_snapshot!(report(&text), @r#"
     case::bad_reference
 
-      × no support, load or contact is called `load`
+      × no support, load, obstacle or contact is called `load`
         ╭─[case.toml:28:13]
      27 │ [[step]]
      28 │ factors = { load = 2 }
         ·             ──┬─
-        ·               ╰── expected the `name` of a support, load or contact
+        ·               ╰── expected the `name` of a support, load, obstacle or contact
         ╰────
       help: none of them has a name in this file: give it a key `name`
     "#);

@@ -2,7 +2,7 @@
 
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use serde::Deserialize;
-use tresca_io::case::{self, CaseError, CaseFile};
+use tresca_io::case::{self, CaseError, CaseFile, Contact, Partners, Surface};
 
 /// The founding benchmark: two bricks.
 pub const GOOD: &str = r#"title = "Two bricks with Tresca friction"
@@ -123,6 +123,61 @@ factors = { wave = 2, joint = 0.5 }
 values = { push = [0, 0, -3], drag = { z = 1 } }
 "#;
 
+/// Obstacles of every shape in space, and the contacts with them.
+pub const OBSTACLES: &str = r#"
+[[body]]
+name = "block"
+mesh = { brick = { min = [0, 0, 0], max = [1, 1, 1], nodes = [3, 3, 3], cells = "tet10" }, scale = 2, rotate = { axis = [0, 0, 1], angle = 90 }, translate = [0, 0, 1] }
+material = { young = 1, poisson = 0.49 }
+formulation = "full"
+
+[[body]]
+name = "lid"
+mesh = { brick = { min = [-2, 0, 3.01], max = [0, 2, 4], nodes = [2, 2, 2] } }
+material = { young = 1, poisson = 0.49 }
+formulation = "b_bar"
+
+[[obstacle]]
+name = "table"
+plane = { point = [0, 0, 1], normal = [0, 0, 3] }
+motion = [0, 0, 0.5]
+
+[[obstacle]]
+name = "ball"
+sphere = { center = [5, 0, 2], radius = 2 }
+
+[[obstacle]]
+name = "bore"
+cylinder = { point = [0, 0, 0], axis = [0, 0, 1], radius = 4, inside = true }
+
+[[obstacle]]
+name = "tool"
+surface = { file = "../mesh/data/ball-4.1-binary.msh", group = "round", scale = 0.5, translate = [0, 0, 9] }
+
+[[contact]]
+name = "stand"
+pair = ["block.z-", "table"]
+friction = { law = "coulomb", coefficient = 0.2 }
+coupling = "mortar"
+search = 0.5
+
+[[contact]]
+within = 0.1
+bodies = ["lid", "block"]
+friction = { law = "frictionless" }
+
+[[contact]]
+pair = ["lid.z+", "tool"]
+friction = { law = "frictionless" }
+
+[[step]]
+factors = { table = 0.5 }
+
+[[step]]
+increments = 2
+values = { table = [0, 0, -1], ball = [1, 0, 0] }
+"#;
+
 /// A plane case.
 pub const PLANE: &str = r#"analysis = "plane_strain"
 
@@ -171,6 +226,27 @@ pub enum Method {
 
 pub fn parse(text: &str) -> Result<CaseFile<Solver>, CaseError> {
     case::parse("case.toml", text)
+}
+
+/// Slave and master of a contact of two surfaces.
+pub fn pair(contact: &Contact) -> (&Surface, &Surface) {
+    match &contact.partners {
+        Partners::Surfaces { slave, master } => (slave, master),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A text beside which relative paths start.
+pub fn parse_here(text: &str) -> Result<CaseFile<Solver>, CaseError> {
+    let here = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/suite/case/case.toml");
+    case::parse(here, text)
+}
+
+/// The report on a text of [`parse_here`] that must be refused, from its first line to its place.
+pub fn report_here(text: &str) -> String {
+    let error = parse_here(text).map(|_| ()).expect_err("must be refused");
+    let report = render_in(400, &error);
+    report.replace(env!("CARGO_MANIFEST_DIR"), "")
 }
 
 /// The good case with one replacement, which must apply (to the first place where it does).

@@ -185,17 +185,17 @@ fn a_text_for_a_mesh() {
         r#""part.msh""#,
     );
     assert_snapshot!(report(&text), @r#"
-    case::bad_value
+    case::wrong_type
 
-      × `part.msh` is not among the choices here
+      × expected a table `{ brick = { … } }`, `{ rectangle = { … } }` or `{ file = "….msh" }`
        ╭─[case.toml:5:8]
      4 │ name = "upper"
      5 │ mesh = "part.msh"
        ·        ─────┬────
-       ·             ╰── expected one of `brick` and `rectangle`
+       ·             ╰── found the text "part.msh"
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
-      help: supported: `brick` and `rectangle`
+      help: a file is given in a table: { file = "part.msh" }
     "#);
 }
 
@@ -206,16 +206,18 @@ fn two_meshes() {
         "nodes = [16, 16, 16] }, brick2 = 3 }",
     );
     assert_snapshot!(report(&text), @r#"
-    case::wrong_type
+    case::unknown_key
 
-      × one choice is wanted here
-       ╭─[case.toml:5:8]
+      × unknown key `brick2`
+       ╭─[case.toml:5:90]
      4 │ name = "upper"
      5 │ mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [16, 16, 16] }, brick2 = 3 }
-       ·        ───────────────────────────────────────────────┬──────────────────────────────────────────────
-       ·                                                       ╰── expected exactly one key in this table
+       ·                                                                                          ───┬──
+       ·                                                                                             ╰── did you mean `brick`?
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
+      help: the keys that belong here are `brick`, `rectangle`, `file`, `part`, `scale`, `rotate` and
+            `translate`
     "#);
 }
 

@@ -333,17 +333,18 @@ fn an_unknown_mesh_kind() {
         r#"{ gmsh = "part.msh" }"#,
     );
     assert_snapshot!(report(&text), @r#"
-    case::bad_value
+    case::unknown_key
 
-      × `gmsh` is not among the choices here
+      × unknown key `gmsh`
        ╭─[case.toml:5:10]
      4 │ name = "upper"
      5 │ mesh = { gmsh = "part.msh" }
        ·          ──┬─
-       ·            ╰── expected one of `brick` and `rectangle`
+       ·            ╰── not a key of this table
      6 │ material = { young = 5.0e4, poisson = 0.277 }
        ╰────
-      help: supported: `brick` and `rectangle`
+      help: the keys that belong here are `brick`, `rectangle`, `file`, `part`, `scale`, `rotate` and
+            `translate`
     "#);
 }
 

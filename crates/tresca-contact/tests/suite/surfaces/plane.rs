@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
 
-use crate::support::{
+use super::support::{
     Body, elevated, largest, mortar, relative, smallest_pivot, transposed_product,
 };
 

@@ -21,6 +21,7 @@ pub struct Body {
     pub mesh: Mesh,
     pub dofs: DofMap,
     pub faces: Vec<Face>,
+    pub taken: Vec<usize>,
 }
 
 impl Body {
@@ -28,7 +29,12 @@ impl Body {
     pub fn new(mesh: Mesh, on: impl Fn([f64; 3]) -> bool) -> Self {
         let dofs = DofMap::unsupported(mesh.node_count(), mesh.dimension());
         let faces = boundary_where(&mesh, on);
-        Self { mesh, dofs, faces }
+        Self {
+            mesh,
+            dofs,
+            faces,
+            taken: Vec::new(),
+        }
     }
 
     /// Holds components of nodes.
@@ -51,6 +57,7 @@ impl Body {
             mesh: &self.mesh,
             faces: &self.faces,
             dofs: &self.dofs,
+            taken: &self.taken,
         }
     }
 }
@@ -117,9 +124,7 @@ pub fn elevated(mesh: &Mesh, kind: CellKind) -> Mesh {
             cell.kind.element().shape(xi, &mut values);
             let mut x = [0.0; 3];
             for (value, &node) in values.iter().zip(cell.nodes) {
-                for k in 0..3 {
-                    x[k] += value * mesh.points[node][k];
-                }
+                x = std::array::from_fn(|k| x[k] + value * mesh.points[node][k]);
             }
             let key = x.map(|x| (x * 1e7).round() as i64);
             let node = *known.entry(key).or_insert_with(|| {

@@ -1,10 +1,13 @@
-//! Slave nodes that supports hold.
+//! Slave nodes that supports hold, or that another contact has.
 
+use tresca_contact::{ContactData, Obstacle, couple_obstacle};
 use tresca_fem::loads;
 use tresca_fem::mesh::CellKind;
 
-use crate::flat::KINDS;
-use crate::support::{Body, block, largest, mortar, smallest_pivot, transposed_product};
+use super::flat::KINDS;
+use super::support::{
+    Body, INTERFACE, block, boundary_where, largest, mortar, smallest_pivot, transposed_product,
+};
 
 fn boxes(kind: CellKind) -> [Body; 2] {
     let on = |[_, _, z]: [f64; 3]| z == 0.0;
@@ -86,4 +89,60 @@ fn a_held_surface_is_an_obstacle() {
             .iter()
             .all(|pair| pair.mobility.tangents == [true, true])
     );
+}
+
+/// Two contacts of one body that meet at an edge: the rows of both together are independent, and each
+/// transmits its pressure.
+#[test]
+fn contacts_share_an_edge() {
+    for kind in KINDS {
+        let mesh = || block(kind, [0.0; 3], [2.0, 1.0, 0.5], [4, 2, 1]);
+        // One floor in two parts, and a wall at the end of the floor.
+        type On = fn([f64; 3]) -> bool;
+        let parts: [(On, [f64; 3]); 3] = [
+            (|[x, _, z]| z == 0.0 && x <= 1.0, [0.0, 0.0, 1.0]),
+            (|[x, _, z]| z == 0.0 && x >= 1.0, [0.0, 0.0, 1.0]),
+            (|[x, _, _]| x == 2.0, [-1.0, 0.0, 0.0]),
+        ];
+        let mut taken = Vec::new();
+        let mut all: Option<(Body, ContactData)> = None;
+        for (on, normal) in parts {
+            let mut slave = Body::new(mesh(), on);
+            slave.taken.clone_from(&taken);
+            let point = [2.0, 0.0, 0.0];
+            let plane = Obstacle::Plane { point, normal };
+            let data = couple_obstacle(slave.side(), &plane, INTERFACE, None).unwrap();
+            assert!(data.uncoupled.is_empty());
+            let area: f64 = data.pairs.iter().map(|pair| pair.area).sum();
+            assert!((area - slave.mesh.area(&slave.faces)).abs() < 1e-12);
+            assert!(
+                data.pairs
+                    .iter()
+                    .all(|pair| !taken.contains(&pair.slave_node))
+            );
+            taken.extend(data.pairs.iter().map(|pair| pair.slave_node));
+            assert!(smallest_pivot(&data, &slave, None) > 1e-2);
+            all = Some((slave, data));
+        }
+        let nodes = all.map(|(slave, _)| {
+            let floor = boundary_where(&slave.mesh, |[x, _, z]| z == 0.0 || x == 2.0);
+            slave.mesh.nodes_of_faces(&floor)
+        });
+        taken.sort_unstable();
+        assert_eq!(Some(taken), nodes, "every node has one pair");
+    }
+}
+
+/// The same to the last bit, whatever the number of threads.
+#[test]
+fn results_do_not_depend_on_threads() {
+    let [slave, master] = boxes(CellKind::Tet10);
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.build().unwrap().install(|| mortar(&slave, &master))
+    };
+    let (one, three) = (run(1), run(3));
+    assert_eq!(one.pairs, three.pairs);
+    let values = |data: &ContactData| data.slave_coupling.val().to_vec();
+    assert_eq!(values(&one), values(&three));
 }

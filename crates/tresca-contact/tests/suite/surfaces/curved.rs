@@ -6,9 +6,9 @@ use tresca_contact::{ContactData, Obstacle, couple_obstacle};
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
 
-use crate::flat::KINDS;
-use crate::plane;
-use crate::support::{
+use super::flat::KINDS;
+use super::plane;
+use super::support::{
     Body, INTERFACE, block, elevated, largest, mortar, relative, transposed_product,
 };
 

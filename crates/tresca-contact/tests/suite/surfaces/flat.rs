@@ -4,9 +4,9 @@ use tresca_contact::{ContactError, CouplingMethod, Discretization, couple, coupl
 use tresca_fem::loads;
 use tresca_fem::mesh::CellKind;
 
-use crate::support::{
-    Body, INTERFACE, add_product, block, cross, largest, mortar, relative, smallest_pivot,
-    transposed_product, turn,
+use super::support::{
+    Body, INTERFACE, add_product, block, cross, elevated, largest, mortar, relative,
+    smallest_pivot, transposed_product, turn,
 };
 
 pub const KINDS: [CellKind; 6] = [
@@ -213,6 +213,8 @@ fn rows_are_independent() {
                 let data = mortar(&slave, &master);
                 let pivot = smallest_pivot(&data, &slave, Some(&master));
                 assert!(pivot > 1e-3, "{kinds:?} {cells:?} {low:?}: {pivot:e}");
+                let nodes = slave.mesh.nodes_of_faces(&slave.faces).len();
+                assert_eq!(data.pairs.len() + data.uncoupled.len(), nodes);
                 // Whatever is covered is transmitted.
                 let area: f64 = data.pairs.iter().map(|pair| pair.area).sum();
                 let size = |k: usize| high[k].min([2.0, 1.0][k]) - low[k].max(0.0);
@@ -255,5 +257,63 @@ fn surfaces_that_do_not_see_each_other_are_told() {
     for search in [0.0, -1.0, f64::NAN] {
         let error = apart([0.0; 3], Some(search)).unwrap_err();
         assert!(matches!(error, ContactError::Search { .. }));
+    }
+}
+
+/// Faces that are flat and straight, but no parallelograms: their shape functions are no polynomials on the
+/// face, and quadrature leaves what its degree cannot.
+#[test]
+fn distorted_flat_faces() {
+    let bend = |[x, y, z]: [f64; 3]| {
+        let (u, v) = (x * (2.0 - x), y * (1.0 - y));
+        [
+            x + 0.15 * u * (2.5 * y).sin(),
+            y + 0.25 * v * (2.0 * x).cos(),
+            z,
+        ]
+    };
+    let back = |x: [f64; 3]| {
+        let [x, y, z] = bend([2.0 - x[0], 1.0 - x[1], x[2]]);
+        [2.0 - x, 1.0 - y, z]
+    };
+    let body = |kind: CellKind, low: f64, cells: [usize; 3], map: &dyn Fn([f64; 3]) -> [f64; 3]| {
+        let linear = match kind {
+            CellKind::Hex20 | CellKind::Hex27 => CellKind::Hex8,
+            CellKind::Tet10 => CellKind::Tet4,
+            other => other,
+        };
+        let mesh = block(linear, [0.0, 0.0, low], [2.0, 1.0, low + 0.5], cells);
+        let mesh = mesh.mapped(map).unwrap();
+        let mesh = if kind == linear {
+            mesh
+        } else {
+            elevated(&mesh, kind)
+        };
+        Body::new(mesh, |[_, _, z]| z == 0.0)
+    };
+    for kinds in pairs_of_kinds() {
+        let slave = body(kinds[0], 0.0, [4, 3, 1], &bend);
+        let master = body(kinds[1], -0.5, [3, 4, 1], &back);
+        let data = mortar(&slave, &master);
+        assert!((data.overlap_area - 2.0).abs() < 1e-12);
+        let mut lambda = vec![0.0; data.slave_coupling.nrows()];
+        for (lambda, pair) in lambda.iter_mut().zip(&data.pairs) {
+            *lambda = pair.area;
+        }
+        let error = |body: &Body, coupling| {
+            let mut forces = transposed_product(coupling, &lambda);
+            let load = loads::pressure(&body.mesh, &body.faces, 1.0);
+            forces.iter_mut().zip(&load).for_each(|(f, p)| *f += p);
+            largest(&forces) / largest(&load)
+        };
+        let errors = [
+            error(&slave, &data.slave_coupling),
+            error(&master, data.master_coupling.as_ref().unwrap()),
+        ];
+        println!("{kinds:?}: {:.1e}, {:.1e}", errors[0], errors[1]);
+        assert!(largest(&errors) < 1e-10, "{kinds:?}: {errors:?}");
+        let u = |[x, y, z]: [f64; 3]| [x - 2.0 * y + z, 0.5 * z - x, 3.0 * y + 0.1 * x];
+        let moved = relative(&data, &slave, &master, [&u, &u]);
+        assert!(largest(&moved) < 1e-11, "{kinds:?}: {:e}", largest(&moved));
     }
 }

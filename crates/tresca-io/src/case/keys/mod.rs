@@ -10,7 +10,16 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
 
-use super::entries::{FieldKeys, Pair, Triple, ValueKeys};
+use super::entries::{FieldKeys, Triple, ValueKeys};
+
+mod mesh;
+mod obstacle;
+
+pub use mesh::{Brick, BrickCells, PlaneCells, Rectangle};
+pub(super) use mesh::{MeshKeys, RotateKeys};
+pub(super) use obstacle::{
+    CircleKeys, CylinderKeys, ObstacleKeys, PlaneKeys, SphereKeys, SurfaceKeys,
+};
 
 /// The whole file.
 #[derive(Debug, Deserialize)]
@@ -44,6 +53,9 @@ pub(super) struct CaseKeys<S> {
     /// Accelerations of the field of gravity.
     #[serde(default)]
     pub gravity: Vec<Spanned<GravityKeys>>,
+    /// Rigid bodies that the others may touch.
+    #[serde(default)]
+    pub obstacle: Vec<Spanned<ObstacleKeys>>,
     /// Pairs of surfaces that may touch.
     #[serde(default)]
     pub contact: Vec<Spanned<ContactKeys>>,
@@ -97,94 +109,25 @@ pub(super) struct BodyKeys {
     /// How other keys and the written files call the body: letters, digits, `_` and `-`.
     pub name: Spanned<String>,
     /// Where the mesh comes from.
-    pub mesh: Spanned<Mesh>,
+    pub mesh: Spanned<MeshKeys>,
     /// Where the points of that mesh go.
     pub map: Option<Spanned<Vec<Spanned<FieldKeys>>>>,
     /// What the body is made of.
     pub material: Spanned<Material>,
+    /// How its stiffness is integrated. Default: `full`.
+    pub formulation: Option<Spanned<Formulation>>,
 }
 
-/// `mesh`: where the mesh comes from, one kind per body.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(
-    rename_all = "lowercase",
-    expecting = "a table `{ brick = { … } }` or `{ rectangle = { … } }`"
-)]
-pub enum Mesh {
-    /// A box with edges along the axes, cut into eight-node hexahedra.
-    Brick(Brick),
-    /// A rectangle with edges along the axes, for plane and axisymmetric cases.
-    Rectangle(Rectangle),
-}
-
-impl Mesh {
-    /// Number of coordinates of its points.
-    pub fn dimension(&self) -> usize {
-        match self {
-            Mesh::Brick(_) => 3,
-            Mesh::Rectangle(_) => 2,
-        }
-    }
-
-    /// Names of the faces: axis, then `-` for the side of `min` and `+` for that of `max`.
-    pub fn faces(&self) -> &'static [&'static str] {
-        &BRICK_FACES[..2 * self.dimension()]
-    }
-
-    /// What reports call it.
-    pub(super) fn word(&self) -> &'static str {
-        match self {
-            Mesh::Brick(_) => "brick",
-            Mesh::Rectangle(_) => "rectangle",
-        }
-    }
-}
-
-/// Names of the faces of a brick; the first four are those of a rectangle.
-const BRICK_FACES: [&str; 6] = ["x-", "x+", "y-", "y+", "z-", "z+"];
-
-/// `brick`: a box with edges along the axes. Its faces are called `x-`, `x+`, `y-`, `y+`, `z-`, `z+`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "a table `{ min = …, max = …, nodes = … }`"
-)]
-pub struct Brick {
-    /// Corner with the smallest coordinates (length).
-    pub min: Spanned<Triple<f64>>,
-    /// Corner with the largest coordinates (length), each larger than in `min`.
-    pub max: Spanned<Triple<f64>>,
-    /// Number of nodes along x, y and z, ends included; at least 2 each.
-    pub nodes: Spanned<Triple<usize>>,
-}
-
-/// `rectangle`: a rectangle with edges along the axes. Its faces are called `x-`, `x+`, `y-`, `y+`.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(
-    deny_unknown_fields,
-    expecting = "a table `{ min = …, max = …, nodes = … }`"
-)]
-pub struct Rectangle {
-    /// Corner with the smallest coordinates (length); in an axisymmetric case x is a radius.
-    pub min: Spanned<Pair<f64>>,
-    /// Corner with the largest coordinates (length), each larger than in `min`.
-    pub max: Spanned<Pair<f64>>,
-    /// Number of nodes along x and y, ends included; at least 2 each.
-    pub nodes: Spanned<Pair<usize>>,
-    /// What it is cut into.
-    #[serde(default)]
-    pub cells: PlaneCells,
-}
-
-/// `cells`: what a rectangle is cut into.
+/// `formulation`: how the stiffness of a body is integrated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase", expecting = "the name of a kind of cells")]
-pub enum PlaneCells {
-    /// Four-node quadrilaterals.
+#[serde(rename_all = "snake_case", expecting = "the name of a formulation")]
+pub enum Formulation {
+    /// The strain as it is.
     #[default]
-    Quad,
-    /// Three-node triangles, two in the place of each quadrilateral.
-    Triangle,
+    Full,
+    /// The volumetric strain as its mean over the cell, which keeps linear cells of almost
+    /// incompressible material from locking.
+    BBar,
 }
 
 /// `material`: isotropic linear elasticity.
@@ -286,12 +229,35 @@ pub(super) struct GravityKeys {
 pub(super) struct ContactKeys {
     /// How load steps and reports call it.
     pub name: Option<Spanned<String>>,
-    /// Slave and master surface, each `body.face`.
-    pub pair: Spanned<Vec<Spanned<String>>>,
+    /// Slave and master surface, each `body.face`; the second may be the name of an obstacle.
+    pub pair: Option<Spanned<Vec<Spanned<String>>>>,
+    /// In the place of `pair`: the distance (length) at which outer surfaces become pairs.
+    pub within: Option<Spanned<f64>>,
+    /// Names of the bodies that `within` looks at. Default: all.
+    pub bodies: Option<Spanned<Vec<Spanned<String>>>>,
+    /// How the two surfaces are coupled. Default: `auto`.
+    #[serde(default)]
+    pub coupling: Coupling,
+    /// Largest distance at which points of the surfaces are coupled (length). Default: by the size of
+    /// the faces.
+    pub search: Option<Spanned<f64>>,
     /// What resists sliding.
     pub friction: Spanned<FrictionKeys>,
     /// Length that is added to the distance of the surfaces. Default: 0.
     pub gap: Option<Spanned<FieldKeys>>,
+}
+
+/// `coupling`: how two surfaces are coupled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case", expecting = "the name of a coupling")]
+pub enum Coupling {
+    /// Node by node where the nodes of two surfaces of linear faces lie on one another, otherwise mortar.
+    #[default]
+    Auto,
+    /// Each node with the one opposite.
+    NodeByNode,
+    /// By integrals over the common surface.
+    Mortar,
 }
 
 /// `friction`: the law and its figures. All figures of all laws stand here; which of them a law
@@ -328,10 +294,10 @@ pub(super) struct StepKeys {
     pub time: Option<Spanned<f64>>,
     /// Number of parts that the change is cut into. Default: 1.
     pub increments: Option<Spanned<usize>>,
-    /// By name of a support, load or contact: what its own value is multiplied by.
+    /// By name of a support, load, obstacle or contact: what its own value is multiplied by.
     #[serde(default)]
     pub factors: BTreeMap<Spanned<String>, Spanned<f64>>,
-    /// By name of a support, load or contact: what takes the place of its own value.
+    /// By name of a support, load, obstacle or contact: what takes the place of its own value.
     #[serde(default)]
     pub values: BTreeMap<Spanned<String>, Spanned<ValueKeys>>,
 }

@@ -6,8 +6,8 @@ use tresca_contact::{
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
 
-use crate::flat::KINDS;
-use crate::support::{
+use super::flat::KINDS;
+use super::support::{
     Body, INTERFACE, add_product, block, elevated, field, largest, smallest_pivot,
     transposed_product, turn,
 };
@@ -118,7 +118,7 @@ fn round_obstacles_see_each_node() {
     // A block whose upper face looks at the roof of a cavity.
     let mut slave = unit_block(CellKind::Hex8);
     slave.mesh = slave.mesh.mapped(|[x, y, z]| [x, y, z - 1.2]).unwrap();
-    slave.faces = crate::support::boundary_where(&slave.mesh, |[_, _, z]| z > -0.3);
+    slave.faces = super::support::boundary_where(&slave.mesh, |[_, _, z]| z > -0.3);
     for obstacle in [sphere(true), cylinder(true)] {
         let data = couple_obstacle(slave.side(), &obstacle, INTERFACE, Some(1.0)).unwrap();
         for pair in &data.pairs {
@@ -238,6 +238,11 @@ fn rigid_surfaces() {
         let mut flat = surface.clone();
         flat.faces[1].1[2] = 1;
         let error = coupled(&slave, &Obstacle::Surface(flat)).unwrap_err();
+        assert!(matches!(error, ContactError::DegenerateFace { .. }));
+        let mut arrow = surface.clone();
+        arrow.points[2] = [0.5, -0.5, -0.05];
+        arrow.faces = vec![(CellKind::Quad4, vec![0, 1, 2, 3])];
+        let error = coupled(&slave, &Obstacle::Surface(arrow)).unwrap_err();
         assert!(matches!(error, ContactError::DegenerateFace { .. }));
         let mut solid = surface;
         solid.faces.push((CellKind::Tet4, vec![0, 1, 2, 3]));

@@ -1,12 +1,7 @@
 //! Plane strain, plane stress and bodies of revolution: the assembled matrix against a naive one, and
 //! states of constant stress, which are exact on any mesh.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/suite/plane.rs
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
-========
->>>>>>>> g-fem:crates/tresca-fem/tests/fem/plane.rs
-use crate::common::{dense, perturbed_rectangle, solve};
+use crate::common::{dense, kinds, perturbed_rectangle, solve};
 use tresca_fem::FemError;
 use tresca_fem::assembly::{Formulation, internal_forces, stiffness};
 use tresca_fem::dofs::DofMap;
@@ -203,7 +198,7 @@ fn bad_cells_are_named() {
 
 #[test]
 fn rigid_motions_and_nothing_else_cost_no_energy() {
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for (space, material) in models() {
             let mesh = perturbed_rectangle(space, cells, [0.0, 0.0], [4, 4], 0.15);
             let dofs = DofMap::unsupported(mesh.node_count(), 2);
@@ -222,7 +217,7 @@ fn rigid_motions_and_nothing_else_cost_no_energy() {
             let largest = eigenvalues[n - 1];
             assert!(eigenvalues[motions.len() - 1].abs() < 1e-13 * largest);
             assert!(
-                eigenvalues[motions.len()] > 1e-4 * largest,
+                eigenvalues[motions.len()] > 1e-5 * largest,
                 "{space} {cells}"
             );
         }
@@ -257,7 +252,7 @@ fn linear_displacement_in_the_plane() {
     let exact =
         |p: [f64; 3]| -> [f64; 2] { gradient.map(|row| 0.1 + row[0] * p[0] + row[1] * p[1]) };
     let strain = [0.3, 0.4, 0.0, 0.3];
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for material in [solid(), solid().plane_stress()] {
             let mesh = perturbed_rectangle(Space::Plane, cells, [0.2, -0.5], [6, 7], 0.25);
             let mut supports = Supports::new(mesh.node_count(), 2);
@@ -284,7 +279,7 @@ fn linear_displacement_in_the_plane() {
 #[test]
 fn a_pulled_strip() {
     let p = 3.0;
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for material in [solid(), solid().plane_stress()] {
             let mesh = perturbed_rectangle(Space::Plane, cells, [0.0, 0.0], [5, 6], 0.2);
             let mut supports = Supports::new(mesh.node_count(), 2);
@@ -315,7 +310,7 @@ fn a_pulled_strip() {
 #[test]
 fn a_pulled_cylinder() {
     let p = 3.0;
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for inner in [0.0, 0.7] {
             let mesh = perturbed_rectangle(Space::Axisymmetric, cells, [inner, 0.0], [6, 5], 0.2);
             let mut supports = Supports::new(mesh.node_count(), 2);
@@ -342,7 +337,7 @@ fn a_pulled_cylinder() {
 #[test]
 fn a_cylinder_under_radial_pressure() {
     let p = 5.0;
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         let mesh = perturbed_rectangle(Space::Axisymmetric, cells, [0.0, 0.0], [6, 5], 0.2);
         let mut supports = Supports::new(mesh.node_count(), 2);
         supports.hold(&mesh.nodes_of_set("y-").unwrap(), 1).unwrap();

@@ -2,10 +2,12 @@
 //! manufactured solutions. One binary: linking costs more than running.
 
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
+#![allow(clippy::print_stdout)] // Errors and rates, shown with `--nocapture`.
 
 mod common;
 mod convergence;
 mod convergence_plane;
+mod elements;
 mod grounding;
 mod locking;
 mod patch;
