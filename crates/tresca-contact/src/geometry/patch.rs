@@ -19,8 +19,9 @@ pub(crate) struct Patch {
     nodes: [usize; MAX_NODES],
     points: [[f64; 3]; MAX_NODES],
     count: usize,
-    /// Do the shape functions map linearly? Polynomials in ξ then are polynomials on the face.
-    pub affine: bool,
+    /// How far the map from ξ is from a linear one, for which polynomials in ξ are polynomials on the
+    /// face: the largest change of its tangents in relation to themselves.
+    pub distortion: f64,
 }
 
 impl Patch {
@@ -42,7 +43,7 @@ impl Patch {
             nodes: [0; MAX_NODES],
             points: [[0.0; 3]; MAX_NODES],
             count,
-            affine: false,
+            distortion: 0.0,
         };
         for (a, &node) in nodes.iter().enumerate() {
             patch.nodes[a] = node;
@@ -51,7 +52,7 @@ impl Patch {
                 .filter(|point| point.iter().all(|x| x.is_finite()))
                 .ok_or(ContactError::FaceNode { node })?;
         }
-        patch.affine = patch.is_affine();
+        patch.distortion = patch.change_of_tangents();
         Ok(patch)
     }
 
@@ -115,15 +116,20 @@ impl Patch {
     }
 
     /// Flat or straight, with nodes where a linear map puts them?
-    fn is_affine(&self) -> bool {
+    pub fn affine(&self) -> bool {
+        self.distortion <= 1e-9
+    }
+
+    fn change_of_tangents(&self) -> f64 {
         let at = |xi: &[f64; 3]| self.tangents(*xi);
         let mut nodes = self.kind.element().nodes().iter();
         let first = nodes.next().map_or([[0.0; 3]; 2], at);
         let scale = norm(first[0]) + norm(first[1]);
-        nodes.map(at).all(|tangents| {
+        let changes = nodes.map(at).map(|tangents| {
             let change = |j: usize| norm(std::array::from_fn(|k| tangents[j][k] - first[j][k]));
-            change(0) + change(1) <= 1e-9 * scale
-        })
+            (change(0) + change(1)) / scale
+        });
+        changes.fold(0.0, f64::max)
     }
 }
 

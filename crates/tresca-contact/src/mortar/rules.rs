@@ -43,11 +43,13 @@ impl Rules {
     /// parallelogram) they are not; a rule of higher degree then leaves errors of its order.
     pub fn segment(&self, space: Space, slave: &Patch, master: &Patch) -> &Rule {
         let (s, m) = (slave.kind.degree(), master.kind.degree());
-        // Measured on quadrilaterals distorted by a quarter of their size: 1e-10 of a constant pressure.
-        let beyond = |patch: &Patch| match (patch.affine, patch.kind) {
-            (true, _) => 0,
-            (false, CellKind::Line3 | CellKind::Tri6) => 2,
-            (false, _) => 4,
+        // Measured on quadrilaterals distorted by a quarter, and by 5 %, of their size: 1e-10 of a constant
+        // pressure.
+        let beyond = |patch: &Patch| match patch.kind {
+            _ if patch.affine() => 0,
+            CellKind::Line3 | CellKind::Tri6 => 2,
+            _ if patch.distortion < 0.05 => 2,
+            _ => 4,
         };
         let beyond = beyond(slave).max(beyond(master));
         let radius = usize::from(space == Space::Axisymmetric);

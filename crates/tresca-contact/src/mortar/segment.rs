@@ -133,7 +133,7 @@ impl<'a> Segments<'a> {
         let slave_values = self.slave.shape(xi);
         let x = self.slave.position(&slave_values);
         // On an affine face both measures are that of the plane.
-        let stretch = if self.slave.affine {
+        let stretch = if self.slave.affine() {
             1.0
         } else {
             density * norm(self.slave.area_vector(xi))

@@ -264,8 +264,13 @@ fn surfaces_that_do_not_see_each_other_are_told() {
 /// face, and quadrature leaves what its degree cannot.
 #[test]
 fn distorted_flat_faces() {
+    distorted(1.0);
+    distorted(0.07);
+}
+
+fn distorted(amplitude: f64) {
     let bend = |[x, y, z]: [f64; 3]| {
-        let (u, v) = (x * (2.0 - x), y * (1.0 - y));
+        let [u, v] = [x * (2.0 - x), y * (1.0 - y)].map(|bubble| amplitude * bubble);
         [
             x + 0.15 * u * (2.5 * y).sin(),
             y + 0.25 * v * (2.0 * x).cos(),
@@ -310,7 +315,10 @@ fn distorted_flat_faces() {
             error(&slave, &data.slave_coupling),
             error(&master, data.master_coupling.as_ref().unwrap()),
         ];
-        println!("{kinds:?}: {:.1e}, {:.1e}", errors[0], errors[1]);
+        println!(
+            "{amplitude} {kinds:?}: {:.1e}, {:.1e}",
+            errors[0], errors[1]
+        );
         assert!(largest(&errors) < 1e-10, "{kinds:?}: {errors:?}");
         let u = |[x, y, z]: [f64; 3]| [x - 2.0 * y + z, 0.5 * z - x, 3.0 * y + 0.1 * x];
         let moved = relative(&data, &slave, &master, [&u, &u]);
