@@ -22,7 +22,7 @@ use crate::{ActiveSet, Status};
 use tresca_la::vector::norm;
 
 /// Times that blocks which left Λ are bound and the system is solved again, in one step.
-const MAX_PIVOTS: usize = 10;
+const MAX_PIVOTS: usize = 30;
 /// Halvings of the Newton step before the projected gradient step is made.
 const MAX_HALVINGS: usize = 3;
 /// Part of the last reduction of the reduced gradient that the next inner system is solved to.
