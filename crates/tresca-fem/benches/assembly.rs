@@ -6,6 +6,7 @@
 
 use std::error::Error;
 use std::time::Instant;
+use tresca_fem::assembly::Formulation;
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{BrickSpec, brick};
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         rayon::current_num_threads()
     );
 
-    let k = assembly::stiffness(&mesh, &material, &dofs)?;
+    let k = assembly::stiffness(&mesh, &material, Formulation::Full, &dofs)?;
     let bytes = k.lower().compute_nnz() * 16;
     println!(
         "matrix {} MiB, peak of the process {} MiB",
@@ -44,13 +45,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let u: Vec<f64> = (0..dofs.full_len()).map(|i| (i as f64).sin()).collect();
     report("stiffness", || {
-        assembly::stiffness(&mesh, &material, &dofs).map(drop)
+        assembly::stiffness(&mesh, &material, Formulation::Full, &dofs).map(drop)
     })?;
     report("internal forces", || {
-        assembly::internal_forces(&mesh, &material, &u).map(drop)
+        assembly::internal_forces(&mesh, &material, Formulation::Full, &u).map(drop)
     })?;
     report("stress recovery", || {
-        std::hint::black_box(stress::recover(&mesh, &material, &u));
+        std::hint::black_box(stress::recover(&mesh, &material, Formulation::Full, &u));
         Ok::<(), FemError>(())
     })?;
     report("mesh", || {

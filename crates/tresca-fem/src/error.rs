@@ -43,6 +43,27 @@ pub enum FemError {
         /// The mesh's space.
         space: Space,
     },
+    /// B-bar strains of cells that they are not made for.
+    #[error(
+        "B-bar is for hex8, wedge6 and quad4 cells, found {kind}: {}",
+        b_bar_remedy(*kind)
+    )]
+    BBarCells {
+        /// The first such kind.
+        kind: CellKind,
+    },
+    /// B-bar strains under plane stress.
+    #[error(
+        "B-bar is not for plane stress, where the thickness is free to change and nothing locks: use the \
+         full formulation"
+    )]
+    BBarPlaneStress,
+    /// A name that no formulation has.
+    #[error("there is no formulation \"{name}\"; known are full, b_bar")]
+    UnknownFormulation {
+        /// The name given.
+        name: String,
+    },
     /// A coordinate is NaN or infinite.
     #[error("node {node} has a coordinate that is no finite number: {point:?}")]
     PointNotFinite {
@@ -242,6 +263,15 @@ pub enum FemError {
         /// Components per node.
         components: usize,
     },
+}
+
+/// What to do about cells without a B-bar formulation.
+fn b_bar_remedy(kind: CellKind) -> &'static str {
+    match kind {
+        CellKind::Tet4 => "use tet10 cells, which do not lock",
+        CellKind::Tri3 => "use tri6 cells, which do not lock",
+        _ => "the full formulation of quadratic cells does not lock",
+    }
 }
 
 /// A point for people: six digits each.

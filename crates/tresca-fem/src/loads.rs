@@ -3,8 +3,7 @@
 //! A load is a vector over the full dofs. Its entries are forces: per unit thickness in the plane, of
 //! the full circumference in an axisymmetric space (where the given vectors are radial, axial).
 
-use crate::element::{ShapeTable, interpolate, jacobian};
-use crate::mesh::{Face, FaceTables, Mesh, Space, cell_determinant, gather_points};
+use crate::mesh::{Face, FaceTables, Mesh, Space};
 use crate::tensor::{cross, norm, sub};
 
 /// f_a = ∫ φ_a t dΓ for a constant traction t (force per area) on some faces.
@@ -63,7 +62,8 @@ pub fn pressure_field(mesh: &Mesh, faces: &[Face], pressure: impl Fn([f64; 3]) -
     load
 }
 
-/// ∫ φ_a dΓ over some faces, by node of the mesh; zero off the faces.
+/// ∫ φ_a dΓ over some faces, by node of the mesh; zero off the faces. The shares of a flat quadratic
+/// face are uneven: zero at the corners of tri6, negative at those of quad8.
 pub fn nodal_areas(mesh: &Mesh, faces: &[Face]) -> Vec<f64> {
     let mut areas = vec![0.0; mesh.node_count()];
     FaceTables::new(mesh).for_each_point(faces, |point| {
@@ -94,25 +94,14 @@ pub fn nodal_area_vectors(mesh: &Mesh, faces: &[Face]) -> Vec<[f64; 3]> {
 pub fn body_force(mesh: &Mesh, density: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
     let d = mesh.dimension();
     let mut load = vec![0.0; mesh.dof_count()];
-    for block in &mesh.cells {
-        let table = ShapeTable::mass(block.kind);
-        let mut points = vec![[0.0; 3]; table.nodes];
-        for nodes in block.cells() {
-            gather_points(mesh, nodes, &mut points);
-            for q in 0..table.len() {
-                let columns = jacobian(table.gradients(q), &points);
-                let x = interpolate(table.values(q), &points);
-                let volume =
-                    table.weights[q] * cell_determinant(d, &columns) * mesh.space.circumference(x);
-                let b = density(x);
-                for (&node, value) in nodes.iter().zip(table.values(q)) {
-                    for i in 0..d {
-                        load[d * node + i] += value * volume * b[i];
-                    }
-                }
+    mesh.for_each_cell_point(|point| {
+        let b = density(point.position);
+        for (&node, value) in point.nodes.iter().zip(point.values) {
+            for i in 0..d {
+                load[d * node + i] += value * point.volume * b[i];
             }
         }
-    }
+    });
     load
 }
 
@@ -300,6 +289,60 @@ mod tests {
             let lift = resultant(&mesh, &load, [0.0; 3]).force;
             assert!((lift[1] - 0.7 * mesh.volume()).abs() < 1e-12, "{lift:?}");
             assert!(lift[0].abs() + lift[2].abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn loads_on_curved_quadratic_and_mixed_faces_are_in_balance() {
+        for kind in CellKind::ALL
+            .into_iter()
+            .filter(|kind| kind.dimension() == 3)
+        {
+            let mesh = block().with_cells(kind).unwrap();
+            let mesh = mesh
+                .mapped(|[x, y, z]| [x + 0.1 * y * z, y + 0.05 * x * x, z + 0.1 * (x - y) * z])
+                .unwrap();
+            mesh.check_cells().unwrap();
+            // Under constant pressure a closed surface rests, and Archimedes holds.
+            let surface = mesh.boundary_faces();
+            let sum = resultant(&mesh, &pressure(&mesh, &surface, 7.0), [1.0, 2.0, 3.0]);
+            close(sum.force, [0.0; 3]);
+            close(sum.moment, [0.0; 3]);
+            let lift = pressure_field(&mesh, &surface, |[_, y, _]| 5.0 - 0.7 * y);
+            let volume = mesh.volume();
+            close(
+                resultant(&mesh, &lift, [0.0; 3]).force,
+                [0.0, 0.7 * volume, 0.0],
+            );
+            // Weight acts at the centroid.
+            let weight = body_force(&mesh, |_| [0.0, 0.0, -2.0]);
+            let sum = resultant(&mesh, &weight, mesh.centroid());
+            close(sum.force, [0.0, 0.0, -2.0 * volume]);
+            close(sum.moment, [0.0; 3]);
+            let areas = nodal_areas(&mesh, &surface);
+            assert!((areas.iter().sum::<f64>() / mesh.area(&surface) - 1.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn quadratic_faces_share_an_area_unevenly() {
+        for (kind, corner, middle) in [
+            (CellKind::Hex20, -1.0 / 12.0, 1.0 / 3.0),
+            (CellKind::Hex27, 1.0 / 36.0, 1.0 / 9.0),
+        ] {
+            let mesh = brick(&BrickSpec {
+                min: [0.0; 3],
+                max: [1.0; 3],
+                nodes: [2; 3],
+            })
+            .unwrap()
+            .with_cells(kind)
+            .unwrap();
+            let top = mesh.faces_of_set("z+").unwrap();
+            let areas = nodal_areas(&mesh, top);
+            let nodes = mesh.face_nodes(top[0]);
+            assert!((areas[nodes[0]] - corner).abs() < 1e-15);
+            assert!((areas[nodes[4]] - middle).abs() < 1e-15);
         }
     }
 

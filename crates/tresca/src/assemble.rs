@@ -4,6 +4,7 @@ use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
 use tresca_contact::{ContactData, ContactPair, Interface, Side, couple_node_by_node};
 use tresca_fem::assembly;
+use tresca_fem::assembly::Formulation;
 use tresca_fem::dofs::DofMap;
 use tresca_fem::supports::Supports;
 use tresca_la::SymmetricMatrix;
@@ -219,7 +220,8 @@ fn body_system(
         trailing_dofs.dedup();
     }
     Ok(BodySystem {
-        stiffness: assembly::stiffness(&body.mesh, &body.material, &dofs).map_err(in_body)?,
+        stiffness: assembly::stiffness(&body.mesh, &body.material, Formulation::Full, &dofs)
+            .map_err(in_body)?,
         dofs,
         floating,
         trailing_dofs,

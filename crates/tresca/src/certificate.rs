@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 use tresca_fem::FemError;
-use tresca_fem::assembly::internal_forces;
+use tresca_fem::assembly::{Formulation, internal_forces};
 use tresca_fem::loads::{Resultant, resultant};
 use tresca_la::vector::norm;
 
@@ -164,7 +164,12 @@ fn balance(
     let system = &assembled.bodies[index];
     let contact = assembled.contact_forces(index, candidate.lambda);
     let load = &candidate.acting.loads[index];
-    let internal = internal_forces(&body.mesh, &body.material, &candidate.displacements[index])?;
+    let internal = internal_forces(
+        &body.mesh,
+        &body.material,
+        Formulation::Full,
+        &candidate.displacements[index],
+    )?;
     // A held dof hands on what the elements put on it, less the load and the contact there.
     let mut reaction = vec![0.0; internal.len()];
     for dof in system.dofs.prescribed() {

@@ -1,6 +1,7 @@
 //! What acts in a load step: forces, prescribed displacements, slip bounds.
 
 use tresca_contact::{Field, Sliding};
+use tresca_fem::assembly::Formulation;
 use tresca_fem::{assembly, loads};
 use tresca_la::vector::axpy;
 
@@ -34,8 +35,14 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
         let load = body_load(model, index, step)?;
         let values = |number: usize| amount_of_support(model, step, number);
         let prescribed = supports(model, index, values)?.values();
-        let reduced =
-            assembly::reduced_load(&body.mesh, &body.material, &system.dofs, &load, &prescribed);
+        let reduced = assembly::reduced_load(
+            &body.mesh,
+            &body.material,
+            Formulation::Full,
+            &system.dofs,
+            &load,
+            &prescribed,
+        );
         free_loads.push(reduced.map_err(|source| ModelError::Body {
             body: body.name.clone(),
             source,

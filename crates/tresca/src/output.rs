@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
+use tresca_fem::assembly::Formulation;
 use tresca_fem::mesh::{CellKind, Mesh};
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
@@ -88,7 +89,7 @@ impl Destination {
                 .bodies()
                 .par_iter()
                 .zip(&step.displacements)
-                .map(|(body, u)| stress::recover(&body.mesh, &body.material, u))
+                .map(|(body, u)| stress::recover(&body.mesh, &body.material, Formulation::Full, u))
                 .collect();
             for (index, (body, stress)) in model.bodies().iter().zip(&stresses).enumerate() {
                 stage(&body.name, &|out| {

@@ -1,11 +1,12 @@
 //! Internal forces of a displacement: the action of the whole K, without the matrix.
 
-use super::strain::{nodal_force, strain};
+use super::strain::{nodal_force, strain, with_dilatation};
+use super::{Elastic, Formulation, mean_gradients};
 use crate::FemError;
 use crate::dofs::DofMap;
 use crate::element::{ShapeTable, physical_gradients};
 use crate::material::Isotropic;
-use crate::mesh::{CellBlock, Mesh, gather_points};
+use crate::mesh::{CellBlock, Mesh, Space, gather_points};
 use rayon::prelude::*;
 
 /// K u over *all* dofs, prescribed ones included, for a displacement `u` over the full dofs.
@@ -18,15 +19,21 @@ use rayon::prelude::*;
 ///
 /// # Panics
 /// When the length of `u` is not [`Mesh::dof_count`].
-pub fn internal_forces(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Result<Vec<f64>, FemError> {
+pub fn internal_forces(
+    mesh: &Mesh,
+    material: &Isotropic,
+    formulation: Formulation,
+    u: &[f64],
+) -> Result<Vec<f64>, FemError> {
     material.check_space(mesh.space)?;
+    formulation.check(mesh, material)?;
     assert_eq!(u.len(), mesh.dof_count());
     let d = mesh.dimension();
     let mut forces = vec![0.0; u.len()];
     let mut first = 0;
     for block in &mesh.cells {
         // Cells in parallel, then added up in their order.
-        let of_cells = forces_of_block(mesh, block, first, material, u)?;
+        let of_cells = forces_of_block(mesh, block, first, (material, formulation), u)?;
         let width = block.kind.node_count();
         for (nodes, of_cell) in block.cells().zip(of_cells.chunks_exact(width)) {
             for (&node, force) in nodes.iter().zip(of_cell) {
@@ -45,7 +52,7 @@ fn forces_of_block(
     mesh: &Mesh,
     block: &CellBlock,
     first: usize,
-    material: &Isotropic,
+    (material, formulation): Elastic<'_>,
     u: &[f64],
 ) -> Result<Vec<[f64; 3]>, FemError> {
     let space = mesh.space;
@@ -57,21 +64,31 @@ fn forces_of_block(
         .zip(block.connectivity.par_chunks_exact(n))
         .enumerate()
         .map_init(
-            || (vec![[0.0; 3]; n], vec![[0.0; 3]; n]),
-            |(points, gradients), (local, (forces, nodes))| {
+            || [0; 3].map(|_| vec![[0.0; 3]; n]),
+            |[points, gradients, mean], (local, (forces, nodes))| {
                 gather_points(mesh, nodes, points);
+                let b_bar = formulation == Formulation::BBar;
+                let mut dilatation = 0.0;
+                if b_bar {
+                    mean_gradients(space, &table, points, gradients, mean).ok_or(first + local)?;
+                    dilatation = strain(space, nodes, mean, u)[..3].iter().sum();
+                }
                 for q in 0..table.len() {
                     let measure = physical_gradients(space, &table, q, points, gradients)
                         .ok_or(first + local)?;
-                    let stress = material
-                        .stress(strain(space, nodes, gradients, u))
-                        .map(|s| s * measure * table.weights[q]);
-                    for (f, &g) in forces.iter_mut().zip(gradients.iter()) {
-                        let part = nodal_force(space, stress, g);
-                        for i in 0..3 {
-                            f[i] += part[i];
-                        }
+                    let mut e = strain(space, nodes, gradients, u);
+                    if b_bar {
+                        e = with_dilatation(e, dilatation);
                     }
+                    let mut stress = material.stress(e).map(|s| s * measure * table.weights[q]);
+                    if b_bar {
+                        // The mean stress works on the mean dilatation of the virtual displacement.
+                        let third = (stress[0] + stress[1] + stress[2]) / 3.0;
+                        let mean_stress = [third, third, third, 0.0, 0.0, 0.0];
+                        stress[..3].iter_mut().for_each(|s| *s -= third);
+                        add_forces(space, mean_stress, mean, forces);
+                    }
+                    add_forces(space, stress, gradients, forces);
                 }
                 Ok(())
             },
@@ -81,6 +98,17 @@ fn forces_of_block(
     match inverted {
         Some(cell) => Err(mesh.cell_fault(cell)),
         None => Ok(forces),
+    }
+}
+
+/// Adds the nodal forces of a stress.
+#[inline]
+fn add_forces(space: Space, stress: [f64; 6], gradients: &[[f64; 3]], forces: &mut [[f64; 3]]) {
+    for (force, &g) in forces.iter_mut().zip(gradients) {
+        let part = nodal_force(space, stress, g);
+        for i in 0..3 {
+            force[i] += part[i];
+        }
     }
 }
 
@@ -99,6 +127,7 @@ fn forces_of_block(
 pub fn reduced_load(
     mesh: &Mesh,
     material: &Isotropic,
+    formulation: Formulation,
     dofs: &DofMap,
     load: &[f64],
     prescribed: &[f64],
@@ -109,7 +138,7 @@ pub fn reduced_load(
         u[dof] = prescribed[dof];
     }
     if u.iter().any(|&x| x != 0.0) {
-        let forces = dofs.restrict(&internal_forces(mesh, material, &u)?);
+        let forces = dofs.restrict(&internal_forces(mesh, material, formulation, &u)?);
         for (f, force) in free.iter_mut().zip(forces) {
             *f -= force;
         }

@@ -1,5 +1,6 @@
 //! Integration over one cell.
 
+use super::Formulation;
 use crate::element::{ShapeTable, interpolate, inverse_jacobian};
 use crate::material::Isotropic;
 use crate::mesh::{CellKind, Space};
@@ -19,30 +20,54 @@ const PAIR_OF: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
 /// In an axisymmetric space the third "gradient" is ψ_a = φ_a/r, which makes the hoop strain. It
 /// belongs to the radial component, so that the divergence of φ_a e_i is ∂_i φ_a + δ_i0 ψ_a: see
 /// [`Kernel::block`]. In the plane it is zero.
+///
+/// With B-bar strains the energy splits into κ θ̄² |Ω_c| and that of the deviator, which is the full one
+/// of a material with λ = −2μ/3. So K is the above with that λ, plus κ m_ai m_bj / |Ω_c| with
+/// m_ai = ∫ div(φ_a e_i) dΩ.
 pub(crate) struct Kernel<const N: usize, const D: usize> {
     space: Space,
     lambda: f64,
     mu: f64,
+    /// The bulk modulus κ = λ + 2μ/3 with B-bar strains, else zero.
+    bulk: f64,
     table: ShapeTable,
     /// H^ij for the pairs i ≤ j; H^ji_ab = H^ij_ba.
     products: [[[f64; N]; N]; 6],
+    /// m_ai; with B-bar strains only.
+    divergence: [[f64; D]; N],
+    /// κ / |Ω_c|; with B-bar strains only.
+    bulk_by_volume: f64,
 }
 
 impl<const N: usize, const D: usize> Kernel<N, D> {
-    pub fn new(space: Space, kind: CellKind, material: &Isotropic) -> Self {
+    pub fn new(
+        space: Space,
+        kind: CellKind,
+        (material, formulation): (&Isotropic, Formulation),
+    ) -> Self {
         assert_eq!((kind.node_count(), space.dimension()), (N, D));
+        let mu = material.mu();
+        let (lambda, bulk) = match formulation {
+            Formulation::Full => (material.effective_lambda(), 0.0),
+            Formulation::BBar => (-2.0 * mu / 3.0, material.lambda() + 2.0 * mu / 3.0),
+        };
         Self {
             space,
-            lambda: material.effective_lambda(),
-            mu: material.mu(),
+            lambda,
+            mu,
+            bulk,
             table: ShapeTable::stiffness(kind),
             products: [[[0.0; N]; N]; 6],
+            divergence: [[0.0; D]; N],
+            bulk_by_volume: 0.0,
         }
     }
 
     /// Integrates the products of a cell; `None` where its Jacobian is not positive.
     pub fn integrate(&mut self, points: &[[f64; 3]; N]) -> Option<()> {
         self.products = [[[0.0; N]; N]; 6];
+        self.divergence = [[0.0; D]; N];
+        let mut volume = 0.0;
         for q in 0..self.table.len() {
             let (rows, determinant) = inverse_jacobian::<D>(self.table.gradients(q), points)?;
             let mut weight = self.table.weights[q] * determinant;
@@ -61,6 +86,17 @@ impl<const N: usize, const D: usize> Kernel<N, D> {
                     *psi = value / x[0];
                 }
             }
+            if self.bulk != 0.0 {
+                volume += weight;
+                for (a, m) in self.divergence.iter_mut().enumerate() {
+                    for i in 0..D {
+                        m[i] += weight * gradients[i][a];
+                    }
+                    if D == 2 {
+                        m[0] += weight * gradients[2][a];
+                    }
+                }
+            }
             for (product, (i, j)) in self.products.iter_mut().zip(PAIRS) {
                 for a in 0..N {
                     let left = weight * gradients[i][a];
@@ -69,6 +105,9 @@ impl<const N: usize, const D: usize> Kernel<N, D> {
                     }
                 }
             }
+        }
+        if self.bulk != 0.0 {
+            self.bulk_by_volume = self.bulk / volume;
         }
         Some(())
     }
@@ -95,6 +134,14 @@ impl<const N: usize, const D: usize> Kernel<N, D> {
                 block[k][0] += self.lambda * h(k, 2);
             }
             block[0][0] += (self.lambda + 2.0 * self.mu) * h(2, 2);
+        }
+        if self.bulk_by_volume != 0.0 {
+            for i in 0..D {
+                let left = self.bulk_by_volume * self.divergence[a][i];
+                for j in 0..D {
+                    block[i][j] += left * self.divergence[b][j];
+                }
+            }
         }
         block
     }

@@ -1,7 +1,7 @@
 //! Assembly of the stiffness matrix and of internal forces.
 //!
 //! K_(ai)(bj) = ∫ ε(φ_a e_i) : C : ε(φ_b e_j) dΩ over the free dofs, with the stiffness rule of
-//! every element. How it is done:
+//! every element and the strain of the [`Formulation`]. How it is done:
 //!
 //! 1. The nodes are cut into ranges; each range owns its columns of K, which are contiguous.
 //! 2. Each range finds its pattern from the cells around its nodes.
@@ -13,12 +13,15 @@
 //! number of ranges or threads, bit for bit.
 
 mod columns;
+mod formulation;
 mod internal;
 mod kernel;
 mod strain;
 
+pub use formulation::Formulation;
+pub(crate) use formulation::mean_gradients;
 pub use internal::{internal_forces, reduced_load};
-pub(crate) use strain::strain;
+pub(crate) use strain::{strain, with_dilatation};
 
 use crate::FemError;
 use crate::dofs::DofMap;
@@ -41,7 +44,7 @@ const RANGES_PER_THREAD: usize = 4;
 /// [`crate::rigid::remaining`]). Runs on rayon's current thread pool.
 ///
 /// # Errors
-/// [`FemError::PlaneStress`]; [`FemError::InvertedCell`], [`FemError::FoldedCell`] or
+/// [`FemError::PlaneStress`]; those of [`Formulation::check`]; [`FemError::InvertedCell`], [`FemError::FoldedCell`] or
 /// [`FemError::DegenerateCell`] for the lowest cell whose Jacobian is not positive at an integration
 /// point.
 ///
@@ -50,9 +53,11 @@ const RANGES_PER_THREAD: usize = 4;
 pub fn stiffness(
     mesh: &Mesh,
     material: &Isotropic,
+    formulation: Formulation,
     dofs: &DofMap,
 ) -> Result<SymmetricMatrix, FemError> {
     material.check_space(mesh.space)?;
+    formulation.check(mesh, material)?;
     assert_eq!(
         dofs.full_len(),
         mesh.dof_count(),
@@ -96,7 +101,7 @@ pub fn stiffness(
         .into_par_iter()
         .filter_map(|(rows, columns)| {
             columns.range.write_rows(dofs, rows);
-            fill(mesh, material, columns).err()
+            fill(mesh, (material, formulation), columns).err()
         })
         .min();
     if let Some(cell) = inverted {
@@ -107,6 +112,9 @@ pub fn stiffness(
         pattern, values,
     )))
 }
+
+/// What a cell's stiffness depends on beside the cell.
+type Elastic<'a> = (&'a Isotropic, Formulation);
 
 /// Cuts the nodes into ranges of about equal work.
 fn node_ranges(nodes: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
@@ -127,21 +135,21 @@ fn node_ranges(nodes: usize, work: impl Fn(usize) -> usize) -> Vec<Range<usize>>
 
 /// Integrates the cells of a range and adds them to its columns; the error is a cell that cannot be
 /// integrated.
-fn fill(mesh: &Mesh, material: &Isotropic, mut columns: ColumnValues<'_>) -> Result<(), usize> {
+fn fill(mesh: &Mesh, elastic: Elastic<'_>, mut columns: ColumnValues<'_>) -> Result<(), usize> {
     let mut first = 0;
     for block in &mesh.cells {
         match block.kind {
-            CellKind::Tri3 => fill_block::<3, 2>(mesh, block, first, material, &mut columns)?,
-            CellKind::Tri6 => fill_block::<6, 2>(mesh, block, first, material, &mut columns)?,
-            CellKind::Quad4 => fill_block::<4, 2>(mesh, block, first, material, &mut columns)?,
-            CellKind::Quad8 => fill_block::<8, 2>(mesh, block, first, material, &mut columns)?,
-            CellKind::Quad9 => fill_block::<9, 2>(mesh, block, first, material, &mut columns)?,
-            CellKind::Tet4 => fill_block::<4, 3>(mesh, block, first, material, &mut columns)?,
-            CellKind::Tet10 => fill_block::<10, 3>(mesh, block, first, material, &mut columns)?,
-            CellKind::Wedge6 => fill_block::<6, 3>(mesh, block, first, material, &mut columns)?,
-            CellKind::Hex8 => fill_block::<8, 3>(mesh, block, first, material, &mut columns)?,
-            CellKind::Hex20 => fill_block::<20, 3>(mesh, block, first, material, &mut columns)?,
-            CellKind::Hex27 => fill_block::<27, 3>(mesh, block, first, material, &mut columns)?,
+            CellKind::Tri3 => fill_block::<3, 2>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Tri6 => fill_block::<6, 2>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Quad4 => fill_block::<4, 2>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Quad8 => fill_block::<8, 2>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Quad9 => fill_block::<9, 2>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Tet4 => fill_block::<4, 3>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Tet10 => fill_block::<10, 3>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Wedge6 => fill_block::<6, 3>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Hex8 => fill_block::<8, 3>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Hex20 => fill_block::<20, 3>(mesh, block, first, elastic, &mut columns)?,
+            CellKind::Hex27 => fill_block::<27, 3>(mesh, block, first, elastic, &mut columns)?,
             CellKind::Line2 | CellKind::Line3 => {
                 unreachable!("lines fill no body of a valid mesh")
             }
@@ -158,10 +166,10 @@ fn fill_block<const N: usize, const D: usize>(
     mesh: &Mesh,
     block: &CellBlock,
     first: usize,
-    material: &Isotropic,
+    elastic: Elastic<'_>,
     columns: &mut ColumnValues<'_>,
 ) -> Result<(), usize> {
-    let mut kernel = Kernel::<N, D>::new(mesh.space, block.kind, material);
+    let mut kernel = Kernel::<N, D>::new(mesh.space, block.kind, elastic);
     for &cell in columns.range.cells_within(first..first + block.len()) {
         let nodes: &[usize; N] = block.connectivity[(cell - first) * N..]
             .first_chunk()

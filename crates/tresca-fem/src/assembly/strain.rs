@@ -28,6 +28,16 @@ pub(crate) fn strain(space: Space, nodes: &[usize], gradients: &[[f64; 3]], u: &
     e
 }
 
+/// The B-bar strain: the volume change of `strain` replaced by the given one.
+#[inline]
+pub(crate) fn with_dilatation(mut strain: [f64; 6], dilatation: f64) -> [f64; 6] {
+    let third = (dilatation - (strain[0] + strain[1] + strain[2])) / 3.0;
+    for normal in &mut strain[..3] {
+        *normal += third;
+    }
+    strain
+}
+
 /// The force on a node with the gradient `g` that balances a stress (per unit of measure).
 #[inline]
 pub(crate) fn nodal_force(space: Space, stress: [f64; 6], g: [f64; 3]) -> [f64; 3] {

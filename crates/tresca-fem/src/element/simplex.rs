@@ -4,12 +4,8 @@
 /// The V = d + 1 barycentric coordinates 1 − Σ ξ_i, ξ_1, …, ξ_d of a point.
 #[inline]
 pub(super) fn barycentric<const V: usize>(xi: [f64; 3]) -> [f64; V] {
-    let mut l = [1.0; V];
-    for i in 1..V {
-        l[i] = xi[i - 1];
-        l[0] -= xi[i - 1];
-    }
-    l
+    let first = 1.0 - xi[..V - 1].iter().sum::<f64>();
+    std::array::from_fn(|i| if i == 0 { first } else { xi[i - 1] })
 }
 
 /// ∇L_i.

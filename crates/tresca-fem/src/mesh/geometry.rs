@@ -1,6 +1,6 @@
 //! Measures of a mesh: volumes, area vectors, bounds.
 
-use super::{CellKind, Face, Mesh};
+use super::{CellKind, Face, Mesh, Space};
 use crate::element::{ShapeTable, interpolate, jacobian};
 use crate::tensor::{cross, determinant, norm};
 
@@ -49,31 +49,55 @@ impl Mesh {
     /// Volume of every cell (area in the plane, the ring's volume in an axisymmetric space), negative
     /// for a cell that is turned inside out.
     pub fn cell_volumes(&self) -> Vec<f64> {
-        let mut volumes = Vec::with_capacity(self.cell_count());
-        for block in &self.cells {
-            let table = ShapeTable::mass(block.kind);
-            let mut points = vec![[0.0; 3]; table.nodes];
-            for nodes in block.cells() {
-                gather_points(self, nodes, &mut points);
-                volumes.push(
-                    (0..table.len())
-                        .map(|q| {
-                            let columns = jacobian(table.gradients(q), &points);
-                            let x = interpolate(table.values(q), &points);
-                            table.weights[q]
-                                * cell_determinant(self.dimension(), &columns)
-                                * self.space.circumference(x)
-                        })
-                        .sum(),
-                );
-            }
-        }
+        let mut volumes = vec![0.0; self.cell_count()];
+        self.for_each_cell_point(|point| volumes[point.cell] += point.volume);
         volumes
     }
 
     /// Volume of the body (area in the plane).
     pub fn volume(&self) -> f64 {
         self.cell_volumes().iter().sum()
+    }
+
+    /// The centre of the volume, ∫ x dΩ / |Ω|: the centre of mass of a body of one density. On the axis
+    /// in an axisymmetric space.
+    pub fn centroid(&self) -> [f64; 3] {
+        let (mut volume, mut moment) = (0.0, [0.0; 3]);
+        self.for_each_cell_point(|point| {
+            volume += point.volume;
+            for i in 0..3 {
+                moment[i] += point.volume * point.position[i];
+            }
+        });
+        if self.space == Space::Axisymmetric {
+            moment[0] = 0.0;
+        }
+        moment.map(|x| x / volume)
+    }
+
+    /// Visits the points of the cells' mass rules, cell after cell.
+    pub(crate) fn for_each_cell_point(&self, mut visit: impl FnMut(CellPoint<'_>)) {
+        let mut cell = 0;
+        for block in &self.cells {
+            let table = ShapeTable::mass(block.kind);
+            let mut points = vec![[0.0; 3]; table.nodes];
+            for nodes in block.cells() {
+                gather_points(self, nodes, &mut points);
+                for q in 0..table.len() {
+                    let columns = jacobian(table.gradients(q), &points);
+                    let position = interpolate(table.values(q), &points);
+                    let determinant = cell_determinant(self.dimension(), &columns);
+                    visit(CellPoint {
+                        cell,
+                        nodes,
+                        values: table.values(q),
+                        position,
+                        volume: table.weights[q] * determinant * self.space.circumference(position),
+                    });
+                }
+                cell += 1;
+            }
+        }
     }
 
     /// ∫ n dΓ over some faces, n the outward unit normal. For a plane face its length is the area.
@@ -103,6 +127,20 @@ pub(crate) fn gather_points(mesh: &Mesh, nodes: &[usize], points: &mut [[f64; 3]
     for (point, &node) in points.iter_mut().zip(nodes) {
         *point = mesh.points[node];
     }
+}
+
+/// An integration point of a cell.
+pub(crate) struct CellPoint<'a> {
+    /// Number of the cell.
+    pub cell: usize,
+    /// Its node numbers.
+    pub nodes: &'a [usize],
+    /// φ_a of the cell's nodes.
+    pub values: &'a [f64],
+    /// The point.
+    pub position: [f64; 3],
+    /// dΩ, weight (and circumference) included.
+    pub volume: f64,
 }
 
 /// An integration point of a face.
@@ -241,6 +279,65 @@ mod tests {
             assert!((flux - 3.0 * mesh.volume()).abs() < 1e-13 * flux);
             // ∫ n_y dΓ = 0 over a closed surface.
             assert!(mesh.area_vector(&mesh.boundary_faces())[1].abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn curved_cells_have_curved_measures() {
+        // A quarter of a tube 1 ≤ r ≤ 2 of length 3, its ends turned by the map from bricks.
+        let quarter = |n: usize, kind: CellKind| {
+            let spec = BrickSpec {
+                min: [1.0, 0.0, 0.0],
+                max: [2.0, std::f64::consts::FRAC_PI_2, 3.0],
+                nodes: [2, n + 1, 2],
+            };
+            let straight = brick(&spec).unwrap().with_cells(kind).unwrap();
+            straight
+                .mapped(|[r, angle, z]| [r * angle.cos(), r * angle.sin(), z])
+                .unwrap()
+        };
+        let pi = std::f64::consts::PI;
+        for kind in [CellKind::Tet10, CellKind::Hex20, CellKind::Hex27] {
+            let errors = [4, 8].map(|n| {
+                let mesh = quarter(n, kind);
+                mesh.check_cells().unwrap();
+                let outside = mesh.area(mesh.faces_of_set("x+").unwrap());
+                let centroid = mesh.centroid();
+                // The centroid of a ring's quarter: 4/(3π) (b³ − a³)/(b² − a²) from the axes.
+                let arm = 4.0 / (3.0 * pi) * 7.0 / 3.0;
+                [
+                    mesh.volume() / (0.75 * pi * 3.0) - 1.0,
+                    outside / (3.0 * pi) - 1.0,
+                    centroid[0] / arm - 1.0,
+                    centroid[1] / arm - 1.0,
+                ]
+                .map(f64::abs)
+            });
+            for k in 0..4 {
+                // A parabola through three points of an arc is of fourth order.
+                let rate = (errors[0][k] / errors[1][k]).log2();
+                assert!(errors[1][k] < 1e-5 && rate > 3.7, "{kind}: {errors:?}");
+            }
+            assert!((quarter(2, kind).centroid()[2] - 1.5).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn centroids_are_those_of_the_space() {
+        for cells in [CellKind::Tri3, CellKind::Quad4] {
+            for (space, x, y) in [(Space::Plane, 2.5, 1.0), (Space::Axisymmetric, 0.0, 1.0)] {
+                let mesh = rectangle(&RectangleSpec {
+                    space,
+                    min: [1.0, 0.0],
+                    max: [4.0, 2.0],
+                    nodes: [4, 3],
+                    cells,
+                })
+                .unwrap();
+                let centroid = mesh.centroid();
+                assert!((centroid[0] - x).abs() + (centroid[1] - y).abs() < 1e-14);
+                assert_eq!(centroid[2], 0.0);
+            }
         }
     }
 

@@ -28,7 +28,7 @@ mod topology;
 
 pub use brick::{BrickSpec, brick};
 pub use geometry::BoundingBox;
-pub(crate) use geometry::{FaceTables, cell_determinant, gather_points};
+pub(crate) use geometry::{FaceTables, gather_points};
 pub use kind::CellKind;
 pub use parts::Part;
 pub use rectangle::{RectangleSpec, rectangle};

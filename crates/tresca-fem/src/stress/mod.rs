@@ -4,11 +4,12 @@
 //! ν(σ_xx + σ_yy) under plane strain and 0 under plane stress; in an axisymmetric space xx is radial,
 //! yy axial and zz the hoop stress. All functions need a mesh and a material that assembly accepted.
 
+mod fit;
 mod recovery;
 
 pub use recovery::recover;
 
-use crate::assembly::strain;
+use crate::assembly::{Formulation, internal_forces, mean_gradients, strain, with_dilatation};
 use crate::element::{ShapeTable, interpolate, physical_gradients};
 use crate::material::Isotropic;
 use crate::mesh::{Mesh, gather_points};
@@ -29,21 +30,36 @@ pub struct StressSample {
 ///
 /// # Panics
 /// When the length of `u` is not [`Mesh::dof_count`].
-pub fn samples(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Vec<StressSample> {
+pub fn samples(
+    mesh: &Mesh,
+    material: &Isotropic,
+    formulation: Formulation,
+    u: &[f64],
+) -> Vec<StressSample> {
     assert_eq!(u.len(), mesh.dof_count());
     let mut samples = Vec::with_capacity(mesh.cell_count());
     let mut cell = 0;
     for block in &mesh.cells {
         let table = ShapeTable::new(block.kind, &block.kind.element().stress_points());
-        let mut points = vec![[0.0; 3]; table.nodes];
-        let mut gradients = vec![[0.0; 3]; table.nodes];
+        let full = ShapeTable::stiffness(block.kind);
+        let [mut points, mut gradients, mut mean] = [0; 3].map(|_| vec![[0.0; 3]; table.nodes]);
         for nodes in block.cells() {
             gather_points(mesh, nodes, &mut points);
+            let mean_of_cell = match formulation {
+                Formulation::Full => None,
+                Formulation::BBar => {
+                    mean_gradients(mesh.space, &full, &points, &mut gradients, &mut mean)
+                        .map(|()| strain(mesh.space, nodes, &mean, u)[..3].iter().sum())
+                }
+            };
             for q in 0..table.len() {
                 // A collapsed cell has no strain; assembly has refused it before anyone asks.
                 let stress =
                     match physical_gradients(mesh.space, &table, q, &points, &mut gradients) {
-                        Some(_) => material.stress(strain(mesh.space, nodes, &gradients, u)),
+                        Some(_) => {
+                            let e = strain(mesh.space, nodes, &gradients, u);
+                            material.stress(mean_of_cell.map_or(e, |mean| with_dilatation(e, mean)))
+                        }
                         None => [f64::NAN; 6],
                     };
                 samples.push(StressSample {
@@ -70,8 +86,13 @@ pub fn von_mises([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> f64 {
 ///
 /// # Errors
 /// As [`crate::assembly::internal_forces`].
-pub fn strain_energy(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Result<f64, crate::FemError> {
-    let forces = crate::assembly::internal_forces(mesh, material, u)?;
+pub fn strain_energy(
+    mesh: &Mesh,
+    material: &Isotropic,
+    formulation: Formulation,
+    u: &[f64],
+) -> Result<f64, crate::FemError> {
+    let forces = internal_forces(mesh, material, formulation, u)?;
     Ok(0.5 * tresca_la::vector::dot(u, &forces))
 }
 

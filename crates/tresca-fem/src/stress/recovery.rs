@@ -1,166 +1,155 @@
 //! Nodal stresses by patch recovery.
 //!
-//! The stress of the discrete displacement jumps from cell to cell and is of first order; at certain
-//! points inside the cells it is of second order (the centre, for linear elements). So the cells'
-//! values there are carried to a node by a least-squares fit of a linear polynomial over the patch of
-//! cells around it (Zienkiewicz and Zhu, *The superconvergent patch recovery*, IJNME 33, 1992). On a
-//! regular patch inside the body this *is* the average of the surrounding cells.
+//! The stress of the discrete displacement jumps from cell to cell and is of order p, the cells' order;
+//! at certain points inside the cells it is of order p + 1 (the centre of linear cells, the 2 × 2 × 2
+//! Gauss points of quadratic hexahedra). So the cells' values there are carried to a corner node by a
+//! least-squares fit of a polynomial of degree p over the patch of cells around it (Zienkiewicz and Zhu,
+//! *The superconvergent patch recovery*, IJNME 33, 1992). On a regular patch of linear cells inside the
+//! body this *is* the average of the surrounding cells. A middle node has the mean of what the patches
+//! of the corners that it lies amid say there.
 //!
 //! Why not extrapolate from the Gauss points and average: at a boundary, where contact happens, the
-//! neighbours on the other side that would cancel the first-order error are missing, and the whole
-//! field falls back to order 3/2 in L2, its boundary values to order 1. The patch of a boundary node
+//! neighbours on the other side that would cancel the error of order p are missing, and the whole
+//! field falls back to order p + ½ in L2, its boundary values to order p. The patch of a boundary node
 //! reaches one layer of cells further in instead.
 
+use super::fit::Fit;
 use super::{StressSample, samples};
+use crate::assembly::Formulation;
+use crate::element::corners_of_nodes;
 use crate::material::Isotropic;
-use crate::mesh::{Incidence, Mesh};
-use crate::tensor::{dot, sub, symmetric_eigen};
+use crate::mesh::{CellKind, Incidence, Mesh};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
-/// The fitted slope along a principal direction of the patch is dropped when it would magnify
-/// errors of the samples more than this (as a variance): the samples lie nearly in a plane that the
-/// node is far from, as in a plate of one layer of cells. Two layers need about ½.
-const LARGEST_LEVERAGE: f64 = 4.0;
-
-/// The stress tensor at every node, recovered from the displacement `u` (full dofs).
+/// The stress tensor at every node, corners and middle nodes, recovered from the displacement `u` (full
+/// dofs).
 ///
-/// Second-order accurate on smooth solutions, up to the boundary; on triangles, whose centres are
-/// superconvergent only in pairs, second-order inside and of order 3/2 in L2 because of the boundary. Near a singular point (an edge of
-/// the contact zone, a re-entrant corner) it smooths over the patch like any recovery.
+/// Of order p + 1 on smooth solutions with cells of order p, up to the boundary; on triangles and
+/// tetrahedra, whose points are superconvergent only in groups, that order inside and at least p + ½ in
+/// L2 because of the boundary. Near a singular point (an edge of the contact zone, a re-entrant corner)
+/// it smooths over the patch like any recovery.
 ///
 /// # Panics
 /// When the length of `u` is not [`Mesh::dof_count`].
-pub fn recover(mesh: &Mesh, material: &Isotropic, u: &[f64]) -> Vec<[f64; 6]> {
-    let samples = samples(mesh, material, u);
-    let mut first_sample = vec![0; mesh.cell_count() + 1];
-    for sample in &samples {
-        first_sample[sample.cell + 1] += 1;
-    }
-    for cell in 0..mesh.cell_count() {
-        first_sample[cell + 1] += first_sample[cell];
-    }
-    let incidence = mesh.incidence();
-    let mut on_boundary = vec![false; mesh.node_count()];
-    for node in mesh.nodes_of_faces(&mesh.boundary_faces()) {
-        on_boundary[node] = true;
-    }
-    (0..mesh.node_count())
-        .into_par_iter()
-        .map_init(Vec::new, |patch, node| {
-            collect_patch(mesh, &incidence, node, on_boundary[node], patch);
-            let of_patch = patch
-                .iter()
-                .flat_map(|&cell| &samples[first_sample[cell]..first_sample[cell + 1]]);
-            fit(of_patch, mesh.points[node])
-        })
-        .collect()
-}
-
-/// The cells at a node, and for a boundary node also the cells that share a node with those.
-fn collect_patch(
+pub fn recover(
     mesh: &Mesh,
-    incidence: &Incidence,
-    node: usize,
-    on_boundary: bool,
-    patch: &mut Vec<usize>,
-) {
-    patch.clear();
-    let around = incidence.cells_at(node);
-    if on_boundary {
-        for &cell in around {
-            for &near in mesh.cell(cell).nodes {
-                patch.extend_from_slice(incidence.cells_at(near));
-            }
+    material: &Isotropic,
+    formulation: Formulation,
+    u: &[f64],
+) -> Vec<[f64; 6]> {
+    let samples = samples(mesh, material, formulation, u);
+    let patches = Patches::new(mesh, &samples);
+    let of_corners: Vec<Vec<(usize, [f64; 6])>> = (0..mesh.node_count())
+        .into_par_iter()
+        .map_init(Scratch::default, |scratch, node| {
+            patches.values_around(node, scratch)
+        })
+        .collect();
+    // Each node's mean, added up in the order of the corners.
+    let mut stress = vec![[0.0; 6]; mesh.node_count()];
+    let mut counts = vec![0_u32; mesh.node_count()];
+    for (node, value) in of_corners.into_iter().flatten() {
+        counts[node] += 1;
+        for k in 0..6 {
+            stress[node][k] += value[k];
         }
-        patch.sort_unstable();
-        patch.dedup();
-    } else {
-        patch.extend_from_slice(around);
     }
+    for (stress, count) in stress.iter_mut().zip(counts) {
+        if count > 1 {
+            stress.iter_mut().for_each(|s| *s /= f64::from(count));
+        }
+    }
+    stress
 }
 
-/// The linear least-squares fit of some samples, evaluated at `x`.
-fn fit<'a>(samples: impl Iterator<Item = &'a StressSample> + Clone, x: [f64; 3]) -> [f64; 6] {
-    let count = samples.clone().count() as f64;
-    let (mut center, mut mean) = ([0.0; 3], [0.0; 6]);
-    for sample in samples.clone() {
-        for i in 0..3 {
-            center[i] += sample.position[i] / count;
-        }
-        for k in 0..6 {
-            mean[k] += sample.stress[k] / count;
-        }
-    }
-    let mut covariance = [[0.0; 3]; 3];
-    let mut moment = [[0.0; 3]; 6];
-    for sample in samples {
-        let r = sub(sample.position, center);
-        for i in 0..3 {
-            for j in 0..3 {
-                covariance[i][j] += r[i] * r[j];
-            }
-            for k in 0..6 {
-                moment[k][i] += r[i] * sample.stress[k];
-            }
-        }
-    }
-    // value = mean + Σ_d (v_d·(x − center)) (v_d·moment) / λ_d over the principal directions v_d.
-    let (eigenvalues, directions) = symmetric_eigen(covariance);
-    let largest = eigenvalues.iter().fold(0.0_f64, |a, &b| a.max(b));
-    let r = sub(x, center);
-    let mut value = mean;
-    for (lambda, direction) in eigenvalues.into_iter().zip(directions) {
-        let reach = dot(direction, r);
-        if lambda <= 1e-14 * largest || reach * reach > LARGEST_LEVERAGE * lambda {
-            continue;
-        }
-        for k in 0..6 {
-            value[k] += reach * dot(direction, moment[k]) / lambda;
-        }
-    }
-    value
+/// The samples of a mesh by cell, and the patches of its corner nodes.
+struct Patches<'a> {
+    mesh: &'a Mesh,
+    samples: &'a [StressSample],
+    /// Where the samples of each cell start.
+    first_sample: Vec<usize>,
+    incidence: Incidence,
+    on_boundary: Vec<bool>,
+    /// For each kind of cells the corners that each of its nodes lies amid.
+    corners: BTreeMap<CellKind, Vec<Vec<usize>>>,
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+#[derive(Default)]
+struct Scratch {
+    patch: Vec<usize>,
+    targets: Vec<usize>,
+}
 
-    fn sample(position: [f64; 3]) -> StressSample {
-        let [x, y, z] = position;
-        let stress = [1.0, 2.0 * x, y - z, x + y + z, 3.0 - z, 0.0];
-        StressSample {
-            cell: 0,
-            position,
-            stress,
+impl<'a> Patches<'a> {
+    fn new(mesh: &'a Mesh, samples: &'a [StressSample]) -> Self {
+        let mut first_sample = vec![0; mesh.cell_count() + 1];
+        for sample in samples {
+            first_sample[sample.cell + 1] += 1;
+        }
+        for cell in 0..mesh.cell_count() {
+            first_sample[cell + 1] += first_sample[cell];
+        }
+        let mut on_boundary = vec![false; mesh.node_count()];
+        for node in mesh.nodes_of_faces(&mesh.boundary_faces()) {
+            on_boundary[node] = true;
+        }
+        let kinds = mesh.cells.iter().map(|block| block.kind);
+        Self {
+            mesh,
+            samples,
+            first_sample,
+            incidence: mesh.incidence(),
+            on_boundary,
+            corners: kinds.map(|kind| (kind, corners_of_nodes(kind))).collect(),
         }
     }
 
-    #[test]
-    fn a_fit_reproduces_linear_fields_outside_the_patch() {
-        let samples: Vec<_> = (0..8)
-            .map(|k| sample([0.0, 1.0, 2.0].map(|s| s + 0.5 * f64::from((k >> (s as u32)) & 1))))
-            .collect();
-        let x = [-0.2, 1.7, 2.9];
-        let value = fit(samples.iter(), x);
-        for k in 0..6 {
-            assert!((value[k] - sample(x).stress[k]).abs() < 1e-13);
+    /// The values of a corner node's polynomial at the node and at the middle nodes next to it; nothing
+    /// for a middle node.
+    fn values_around(&self, node: usize, scratch: &mut Scratch) -> Vec<(usize, [f64; 6])> {
+        let Scratch { patch, targets } = scratch;
+        targets.clear();
+        for &cell in self.incidence.cells_at(node) {
+            let of = self.mesh.cell(cell);
+            let corners = &self.corners[&of.kind];
+            let Some(own) = of.nodes.iter().position(|&a| a == node) else {
+                continue;
+            };
+            let near = (0..of.nodes.len()).filter(|&a| corners[a].contains(&own));
+            targets.extend(near.map(|a| of.nodes[a]));
         }
+        targets.sort_unstable();
+        targets.dedup();
+        if targets.is_empty() {
+            return Vec::new();
+        }
+        self.collect_patch(node, patch);
+        let of_patch = patch
+            .iter()
+            .flat_map(|&cell| &self.samples[self.first_sample[cell]..self.first_sample[cell + 1]]);
+        let orders = patch.iter().map(|&cell| self.mesh.cell(cell).kind.order());
+        let fit = Fit::new(of_patch, orders.min().unwrap_or(1));
+        let values = targets.iter();
+        values
+            .map(|&target| (target, fit.at(self.mesh.points[target])))
+            .collect()
     }
 
-    #[test]
-    fn a_flat_patch_fits_only_within_its_plane() {
-        let mut samples: Vec<_> = (0..4)
-            .map(|k| sample([f64::from(k & 1), f64::from(k >> 1), 0.0]))
-            .collect();
-        for tilt in [0.0, 1e-3] {
-            samples[0].position[2] = tilt;
-            let value = fit(samples.iter(), [0.5, 0.5, 0.5]);
-            assert!(
-                (value[1] - 1.0).abs() < 1e-2 && value[5] == 0.0,
-                "{value:?}"
-            );
+    /// The cells at a node, and for a boundary node also the cells that share a node with those.
+    fn collect_patch(&self, node: usize, patch: &mut Vec<usize>) {
+        patch.clear();
+        let around = self.incidence.cells_at(node);
+        if self.on_boundary[node] {
+            for &cell in around {
+                for &near in self.mesh.cell(cell).nodes {
+                    patch.extend_from_slice(self.incidence.cells_at(near));
+                }
+            }
+            patch.sort_unstable();
+            patch.dedup();
+        } else {
+            patch.extend_from_slice(around);
         }
-        let single = fit(samples[..1].iter(), [9.0; 3]);
-        assert_eq!(single, samples[0].stress);
     }
 }

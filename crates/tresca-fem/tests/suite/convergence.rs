@@ -3,13 +3,18 @@
 //! u_i(x) = a_i(x) b_i(y) c_i(z), smooth and no polynomial, on the unit cube; Dirichlet data on the
 //! whole boundary; body force b = −div σ(u) = −(λ + μ) ∇(div u) − μ Δu.
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/fem/convergence.rs
+use crate::common::{perturbed_brick, solve_by_cg};
+use tresca_fem::assembly::Formulation;
+========
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{perturbed_brick, solve_by_cg};
+>>>>>>>> main:crates/tresca-fem/tests/suite/convergence.rs
 use tresca_fem::loads::body_force;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::Mesh;
-use tresca_fem::quadrature::gauss_cube;
+use tresca_fem::mesh::{CellKind, Mesh};
+use tresca_fem::quadrature::{gauss_cube, tetrahedron, wedge};
 use tresca_fem::stress;
 use tresca_fem::supports::Supports;
 
@@ -119,13 +124,18 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
         &supports,
         &body_force(mesh, |p| force(material, p)),
     );
-    let recovered = stress::recover(mesh, material, &u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, &u);
 
     let mut sums = [0.0; 3];
-    let rule = gauss_cube(4);
-    let (mut shape, mut reference) = ([0.0; 8], [[0.0; 3]; 8]);
     for cell in mesh.iter_cells() {
         let element = cell.kind.element();
+        let rule = match cell.kind.linear() {
+            CellKind::Tet4 => tetrahedron(6),
+            CellKind::Wedge6 => wedge(6, 4),
+            _ => gauss_cube(4),
+        };
+        let n = cell.nodes.len();
+        let (mut shape, mut reference) = (vec![0.0; n], vec![[0.0; 3]; n]);
         for (&xi, weight) in rule.points.iter().zip(&rule.weights) {
             element.shape(xi, &mut shape);
             element.gradients(xi, &mut reference);
@@ -198,41 +208,113 @@ fn inverse(a: &[[f64; 3]; 3]) -> ([[f64; 3]; 3], f64) {
     )
 }
 
-/// Observed rates between consecutive meshes.
-fn rates(cells: &[usize], amount: f64) -> Vec<[f64; 4]> {
+/// A family of meshes of n cells along an edge.
+#[derive(Clone, Copy, Debug)]
+enum Family {
+    Regular,
+    /// Interior nodes moved, edges straight.
+    Irregular,
+    /// Bent by a smooth map, all nodes: curved edges of quadratic cells.
+    Curved,
+}
+
+impl Family {
+    fn mesh(self, kind: CellKind, n: usize) -> Mesh {
+        let amount = if let Family::Irregular = self {
+            0.12
+        } else {
+            0.0
+        };
+        let mesh = perturbed_brick([n + 1; 3], amount)
+            .with_cells(kind)
+            .unwrap();
+        let mesh = match self {
+            Family::Regular | Family::Irregular => mesh,
+            Family::Curved => mesh
+                .mapped(|[x, y, z]| {
+                    [
+                        x + 0.1 * (2.0 * y).sin() * (1.0 + z),
+                        y + 0.15 * (x * x - x) * (0.5 + z),
+                        z + 0.1 * (1.5 * x + y).cos(),
+                    ]
+                })
+                .unwrap(),
+        };
+        mesh.check_cells().unwrap();
+        mesh
+    }
+}
+
+/// Prints the errors on meshes of `cells` along an edge, and returns the rates between the last two.
+fn rates(kind: CellKind, family: Family, cells: &[usize]) -> [f64; 4] {
     let material = Isotropic::new(1.0, 0.3).unwrap();
-    let all: Vec<[f64; 4]> = cells
-        .iter()
-        .map(|&n| {
-            let e = errors(&perturbed_brick([n + 1; 3], amount), &material);
-            [e.displacement, e.energy, e.stress, e.largest_stress]
-        })
-        .collect();
-    cells
-        .windows(2)
-        .zip(all.windows(2))
-        .map(|(n, e)| {
-            let refinement = (n[1] as f64 / n[0] as f64).ln();
-            std::array::from_fn(|k| (e[0][k] / e[1][k]).ln() / refinement)
-        })
-        .collect()
+    let mut before: Option<(usize, [f64; 4])> = None;
+    let mut last = [f64::NAN; 4];
+    for &n in cells {
+        let e = errors(&family.mesh(kind, n), &material);
+        let now = [e.displacement, e.energy, e.stress, e.largest_stress];
+        if let Some((coarse, before)) = before {
+            let refinement = (n as f64 / coarse as f64).ln();
+            last = std::array::from_fn(|k| (before[k] / now[k]).ln() / refinement);
+        }
+        before = Some((n, now));
+        println!(
+            "{kind:<7} {:<9} n = {n:<2}  displacement {:.2e} ({:.2})  energy {:.2e} ({:.2})  \
+             stress {:.2e} ({:.2})  at nodes {:.2e} ({:.2})",
+            format!("{family:?}"),
+            now[0],
+            last[0],
+            now[1],
+            last[1],
+            now[2],
+            last[2],
+            now[3],
+            last[3]
+        );
+    }
+    last
+}
+
+/// Displacement of order p + 1, energy of order p, recovered stress of more than order p + `gain`.
+fn check(kind: CellKind, family: Family, cells: &[usize], tolerance: f64, gain: f64) {
+    let rates = rates(kind, family, cells);
+    let p = kind.order() as f64;
+    let [displacement, energy, stress, _] = rates;
+    assert!(
+        displacement > p + 1.0 - tolerance,
+        "{kind} {family:?}: {rates:?}"
+    );
+    assert!(
+        (energy - p).abs() < tolerance,
+        "{kind} {family:?}: {rates:?}"
+    );
+    assert!(stress > p + gain, "{kind} {family:?}: {rates:?}");
 }
 
 #[test]
 fn rates_on_regular_meshes() {
-    let rates = rates(&[4, 8, 16, 24], 0.0);
-    let [displacement, energy, stress, largest_stress] = rates[rates.len() - 1];
-    assert!((displacement - 2.0).abs() < 0.1, "{rates:?}");
-    assert!((energy - 1.0).abs() < 0.05, "{rates:?}");
-    assert!(stress > 1.8, "{rates:?}");
-    assert!(largest_stress > 1.5, "{rates:?}");
+    check(CellKind::Hex8, Family::Regular, &[4, 8, 16], 0.1, 0.8);
+    for kind in [CellKind::Tet4, CellKind::Wedge6] {
+        check(kind, Family::Regular, &[4, 8, 12], 0.15, 0.4);
+    }
+    for kind in [CellKind::Tet10, CellKind::Hex20, CellKind::Hex27] {
+        check(kind, Family::Regular, &[2, 4, 6], 0.15, 0.4);
+    }
 }
 
 #[test]
 fn rates_on_irregular_meshes() {
-    let rates = rates(&[4, 8, 16], 0.15);
-    let [displacement, energy, stress, _] = rates[rates.len() - 1];
-    assert!((displacement - 2.0).abs() < 0.2, "{rates:?}");
-    assert!((energy - 1.0).abs() < 0.1, "{rates:?}");
-    assert!(stress > 1.7, "{rates:?}");
+    for kind in [CellKind::Hex8, CellKind::Tet4, CellKind::Wedge6] {
+        check(kind, Family::Irregular, &[4, 8, 12], 0.2, 0.3);
+    }
+    for kind in [CellKind::Tet10, CellKind::Hex20, CellKind::Hex27] {
+        check(kind, Family::Irregular, &[2, 4, 6], 0.25, 0.3);
+    }
+}
+
+#[test]
+fn rates_on_curved_meshes() {
+    for kind in [CellKind::Tet10, CellKind::Hex20, CellKind::Hex27] {
+        check(kind, Family::Curved, &[2, 4, 6], 0.25, 0.3);
+    }
 }

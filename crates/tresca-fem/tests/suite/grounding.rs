@@ -1,11 +1,14 @@
 //! Floating bodies: K K_reg⁻¹ K = K, and K_reg is as well conditioned as a clamped body's K.
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/fem/grounding.rs
+========
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
+>>>>>>>> main:crates/tresca-fem/tests/suite/grounding.rs
 use crate::common::{dense, perturbed_brick, perturbed_rectangle};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
-use tresca_fem::assembly::{internal_forces, stiffness};
+use tresca_fem::assembly::{Formulation, internal_forces, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::pressure;
 use tresca_fem::material::Isotropic;
@@ -47,7 +50,7 @@ fn check(name: &str, mesh: &Mesh, supports: &Supports, preferred: &[usize], held
     let n = dofs.free_len();
     let motions = rigid::remaining(mesh, &dofs);
     assert!(!motions.is_empty(), "{name}");
-    let stiffness_matrix = stiffness(mesh, &material, &dofs).unwrap();
+    let stiffness_matrix = stiffness(mesh, &material, Formulation::Full, &dofs).unwrap();
     let grounding = Grounding::new(mesh, &material, &dofs, &motions, preferred);
     let k = full(&stiffness_matrix);
     let k_reg = full(&grounding.add_to(&stiffness_matrix));
@@ -84,7 +87,7 @@ fn check(name: &str, mesh: &Mesh, supports: &Supports, preferred: &[usize], held
     let (of_k_reg, of_held) = (
         condition(&k_reg),
         condition(&full(
-            &stiffness(mesh, &material, &DofMap::new(held)).unwrap(),
+            &stiffness(mesh, &material, Formulation::Full, &DofMap::new(held)).unwrap(),
         )),
     );
     let back = &k * llt.solve(&k) - &k;
@@ -262,15 +265,15 @@ fn a_load_in_equilibrium_meets_no_support() {
     let dofs = DofMap::unsupported(mesh.node_count(), 3);
     let motions = rigid::remaining(&mesh, &dofs);
     let contact = mesh.nodes_of_set("x-").unwrap();
-    let k = stiffness(&mesh, &material, &dofs).unwrap();
+    let k = stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap();
     let grounding = Grounding::new(&mesh, &material, &dofs, &motions, &contact);
     let f = pressure(&mesh, &mesh.boundary_faces(), 10.0);
     let llt = full(&grounding.add_to(&k)).llt(Side::Lower).unwrap();
     let solved = llt.solve(faer::Col::from_fn(f.len(), |i| f[i]));
     let u: Vec<f64> = (0..f.len()).map(|i| solved[i]).collect();
-    let forces = internal_forces(&mesh, &material, &u).unwrap();
+    let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
     assert!((0..f.len()).all(|i| (forces[i] - f[i]).abs() < 1e-12 * 10.0));
-    for stress in tresca_fem::stress::recover(&mesh, &material, &u) {
+    for stress in tresca_fem::stress::recover(&mesh, &material, Formulation::Full, &u) {
         let expected = [-10.0, -10.0, -10.0, 0.0, 0.0, 0.0];
         assert!((0..6).all(|k| (stress[k] - expected[k]).abs() < 1e-10));
     }

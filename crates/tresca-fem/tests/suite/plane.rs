@@ -1,11 +1,15 @@
 //! Plane strain, plane stress and bodies of revolution: the assembled matrix against a naive one, and
 //! states of constant stress, which are exact on any mesh.
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/fem/plane.rs
+use crate::common::{dense, kinds, perturbed_rectangle, solve};
+========
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{dense, perturbed_rectangle, solve};
+>>>>>>>> main:crates/tresca-fem/tests/suite/plane.rs
 use tresca_fem::FemError;
-use tresca_fem::assembly::{internal_forces, stiffness};
+use tresca_fem::assembly::{Formulation, internal_forces, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::{pressure, resultant, traction};
 use tresca_fem::material::Isotropic;
@@ -138,7 +142,7 @@ fn the_stiffness_equals_a_naive_dense_assembly() {
             supports.hold(&mesh.nodes_of_set("x+").unwrap(), 0).unwrap();
             for supports in [Supports::new(mesh.node_count(), 2), supports] {
                 let dofs = DofMap::new(&supports);
-                let k = dense(&stiffness(&mesh, &material, &dofs).unwrap());
+                let k = dense(&stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap());
                 for r in 0..dofs.free_len() {
                     for c in 0..dofs.free_len() {
                         let expected = reference[dofs.full_of_free(r)][dofs.full_of_free(c)];
@@ -151,14 +155,14 @@ fn the_stiffness_equals_a_naive_dense_assembly() {
             }
             // Internal forces are its action, and the strain energy its quadratic form.
             let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).sin()).collect();
-            let forces = internal_forces(&mesh, &material, &u).unwrap();
+            let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
             let mut energy = 0.0;
             for (i, row) in reference.iter().enumerate() {
                 let expected: f64 = row.iter().zip(&u).map(|(k, u)| k * u).sum();
                 assert!((forces[i] - expected).abs() < 1e-13 * scale);
                 energy += 0.5 * u[i] * expected;
             }
-            let of_stress = stress::strain_energy(&mesh, &material, &u).unwrap();
+            let of_stress = stress::strain_energy(&mesh, &material, Formulation::Full, &u).unwrap();
             assert!((of_stress - energy).abs() < 1e-13 * energy);
         }
     }
@@ -170,8 +174,8 @@ fn bad_cells_are_named() {
         let u = vec![0.0; mesh.dof_count()];
         let dofs = DofMap::unsupported(mesh.node_count(), 2);
         for error in [
-            stiffness(mesh, &solid(), &dofs).unwrap_err(),
-            internal_forces(mesh, &solid(), &u).unwrap_err(),
+            stiffness(mesh, &solid(), Formulation::Full, &dofs).unwrap_err(),
+            internal_forces(mesh, &solid(), Formulation::Full, &u).unwrap_err(),
             mesh.check_cells().unwrap_err(),
         ] {
             match error {
@@ -200,16 +204,16 @@ fn bad_cells_are_named() {
 
 #[test]
 fn rigid_motions_and_nothing_else_cost_no_energy() {
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for (space, material) in models() {
             let mesh = perturbed_rectangle(space, cells, [0.0, 0.0], [4, 4], 0.15);
             let dofs = DofMap::unsupported(mesh.node_count(), 2);
-            let k = dense(&stiffness(&mesh, &material, &dofs).unwrap());
+            let k = dense(&stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap());
             let motions = rigid::remaining(&mesh, &dofs);
             assert_eq!(motions.len(), if space == Space::Plane { 3 } else { 1 });
             for motion in &motions {
                 let u = motion.displacement(&mesh);
-                let forces = internal_forces(&mesh, &material, &u).unwrap();
+                let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
                 assert!(forces.iter().all(|f| f.abs() < 1e-13 * E), "{motion}");
             }
             let n = k.len();
@@ -219,7 +223,7 @@ fn rigid_motions_and_nothing_else_cost_no_energy() {
             let largest = eigenvalues[n - 1];
             assert!(eigenvalues[motions.len() - 1].abs() < 1e-13 * largest);
             assert!(
-                eigenvalues[motions.len()] > 1e-4 * largest,
+                eigenvalues[motions.len()] > 1e-5 * largest,
                 "{space} {cells}"
             );
         }
@@ -236,8 +240,8 @@ fn error(mesh: &Mesh, u: &[f64], exact: impl Fn([f64; 3]) -> [f64; 2]) -> f64 {
 
 /// Stress at all points of the recovery, and at the nodes, against a constant.
 fn has_stress(mesh: &Mesh, material: &Isotropic, u: &[f64], expected: [f64; 6]) {
-    let samples = stress::samples(mesh, material, u);
-    let recovered = stress::recover(mesh, material, u);
+    let samples = stress::samples(mesh, material, Formulation::Full, u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, u);
     let of_samples = samples.iter().map(|sample| sample.stress);
     for found in of_samples.chain(recovered) {
         assert!(
@@ -254,7 +258,7 @@ fn linear_displacement_in_the_plane() {
     let exact =
         |p: [f64; 3]| -> [f64; 2] { gradient.map(|row| 0.1 + row[0] * p[0] + row[1] * p[1]) };
     let strain = [0.3, 0.4, 0.0, 0.3];
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for material in [solid(), solid().plane_stress()] {
             let mesh = perturbed_rectangle(Space::Plane, cells, [0.2, -0.5], [6, 7], 0.25);
             let mut supports = Supports::new(mesh.node_count(), 2);
@@ -270,7 +274,7 @@ fn linear_displacement_in_the_plane() {
             has_stress(&mesh, &material, &u, [xx, yy, zz, xy, 0.0, 0.0]);
             // Area 1.
             let energy = 0.5 * (xx * strain[0] + yy * strain[1] + xy * strain[3]);
-            let found = stress::strain_energy(&mesh, &material, &u).unwrap();
+            let found = stress::strain_energy(&mesh, &material, Formulation::Full, &u).unwrap();
             assert!((found - energy).abs() < 1e-12 * energy);
         }
     }
@@ -281,7 +285,7 @@ fn linear_displacement_in_the_plane() {
 #[test]
 fn a_pulled_strip() {
     let p = 3.0;
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for material in [solid(), solid().plane_stress()] {
             let mesh = perturbed_rectangle(Space::Plane, cells, [0.0, 0.0], [5, 6], 0.2);
             let mut supports = Supports::new(mesh.node_count(), 2);
@@ -298,7 +302,7 @@ fn a_pulled_strip() {
             let exact = |x: [f64; 3]| [along * x[0], across * x[1]].map(|s| s * p / E);
             assert!(error(&mesh, &u, exact) < 1e-14);
             has_stress(&mesh, &material, &u, [p, 0.0, zz, 0.0, 0.0, 0.0]);
-            let forces = internal_forces(&mesh, &material, &u).unwrap();
+            let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
             let reactions: Vec<f64> = forces.iter().zip(&load).map(|(k, f)| k - f).collect();
             let sum = resultant(&mesh, &reactions, [0.0; 3]);
             assert!((sum.force[0] + p).abs() < 1e-12 && sum.force[1].abs() < 1e-12);
@@ -312,7 +316,7 @@ fn a_pulled_strip() {
 #[test]
 fn a_pulled_cylinder() {
     let p = 3.0;
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         for inner in [0.0, 0.7] {
             let mesh = perturbed_rectangle(Space::Axisymmetric, cells, [inner, 0.0], [6, 5], 0.2);
             let mut supports = Supports::new(mesh.node_count(), 2);
@@ -324,7 +328,7 @@ fn a_pulled_cylinder() {
             assert!(error(&mesh, &u, exact) < 1e-13);
             has_stress(&mesh, &solid(), &u, [0.0, p, 0.0, 0.0, 0.0, 0.0]);
             // The reaction is p times the area of the end.
-            let forces = internal_forces(&mesh, &solid(), &u).unwrap();
+            let forces = internal_forces(&mesh, &solid(), Formulation::Full, &u).unwrap();
             let reactions: Vec<f64> = forces.iter().zip(&load).map(|(k, f)| k - f).collect();
             let area = std::f64::consts::PI * ((inner + 1.0).powi(2) - inner * inner);
             let sum = resultant(&mesh, &reactions, [0.0; 3]);
@@ -339,7 +343,7 @@ fn a_pulled_cylinder() {
 #[test]
 fn a_cylinder_under_radial_pressure() {
     let p = 5.0;
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in kinds(2) {
         let mesh = perturbed_rectangle(Space::Axisymmetric, cells, [0.0, 0.0], [6, 5], 0.2);
         let mut supports = Supports::new(mesh.node_count(), 2);
         supports.hold(&mesh.nodes_of_set("y-").unwrap(), 1).unwrap();
@@ -350,7 +354,7 @@ fn a_cylinder_under_radial_pressure() {
         has_stress(&mesh, &solid(), &u, [-p, 0.0, -p, 0.0, 0.0, 0.0]);
         // ½ ∫ σ : ε = ½ · 2 · p · (1 − ν)p/E over the volume π.
         let energy = p * p * (1.0 - NU) / E * std::f64::consts::PI;
-        let found = stress::strain_energy(&mesh, &solid(), &u).unwrap();
+        let found = stress::strain_energy(&mesh, &solid(), Formulation::Full, &u).unwrap();
         assert!((found - energy).abs() < 1e-12 * energy);
     }
 }

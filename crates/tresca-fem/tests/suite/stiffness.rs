@@ -1,9 +1,14 @@
 //! The assembled stiffness against a naive dense assembly, and its invariants.
 
+<<<<<<<< HEAD:crates/tresca-fem/tests/fem/stiffness.rs
+use crate::common::{dense, perturbed_brick};
+use tresca_fem::assembly::{Formulation, internal_forces, reduced_load, stiffness};
+========
 #![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
 
 use crate::common::{dense, perturbed_brick};
 use tresca_fem::assembly::{internal_forces, reduced_load, stiffness};
+>>>>>>>> main:crates/tresca-fem/tests/suite/stiffness.rs
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellBlock, CellKind, Mesh, RectangleSpec, Space, rectangle};
@@ -103,7 +108,7 @@ fn equals_a_naive_dense_assembly() {
         .fold(0.0_f64, |a, b| a.max(b.abs()));
     for supports in [Supports::new(mesh.node_count(), 3), some_supports(&mesh)] {
         let dofs = DofMap::new(&supports);
-        let k = dense(&stiffness(&mesh, &material, &dofs).unwrap());
+        let k = dense(&stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap());
         for r in 0..dofs.free_len() {
             for c in 0..dofs.free_len() {
                 let expected = reference[dofs.full_of_free(r)][dofs.full_of_free(c)];
@@ -117,7 +122,13 @@ fn equals_a_naive_dense_assembly() {
 fn the_pattern_is_exactly_the_nodes_that_share_a_cell() {
     let mesh = perturbed_brick([3, 4, 3], 0.1);
     let dofs = DofMap::new(&some_supports(&mesh));
-    let k = stiffness(&mesh, &Isotropic::new(1.0, 0.2).unwrap(), &dofs).unwrap();
+    let k = stiffness(
+        &mesh,
+        &Isotropic::new(1.0, 0.2).unwrap(),
+        Formulation::Full,
+        &dofs,
+    )
+    .unwrap();
     for c in 0..dofs.free_len() {
         let node = dofs.full_of_free(c) / 3;
         let expected: Vec<usize> = (c..dofs.free_len())
@@ -142,13 +153,13 @@ fn several_blocks_give_the_matrix_of_one() {
     });
     let material = Isotropic::new(7.0, 0.1).unwrap();
     let dofs = DofMap::new(&some_supports(&mesh));
-    let one = stiffness(&mesh, &material, &dofs).unwrap();
-    let two = stiffness(&split, &material, &dofs).unwrap();
+    let one = stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap();
+    let two = stiffness(&split, &material, Formulation::Full, &dofs).unwrap();
     assert_eq!(one.lower().val(), two.lower().val());
     let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).cos()).collect();
     assert_eq!(
-        internal_forces(&mesh, &material, &u).unwrap(),
-        internal_forces(&split, &material, &u).unwrap()
+        internal_forces(&mesh, &material, Formulation::Full, &u).unwrap(),
+        internal_forces(&split, &material, Formulation::Full, &u).unwrap()
     );
 }
 
@@ -157,7 +168,7 @@ fn free_bodies_have_six_zero_energy_modes_and_no_more() {
     let mesh = perturbed_brick([3, 3, 3], 0.1);
     let material = Isotropic::new(3.0, 0.3).unwrap();
     let dofs = DofMap::unsupported(mesh.node_count(), 3);
-    let k = stiffness(&mesh, &material, &dofs).unwrap();
+    let k = stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap();
     let motions = rigid::motions(&mesh, &mesh.parts()[0]);
     assert_eq!(motions.len(), 6);
     let mut forces = vec![0.0; mesh.dof_count()];
@@ -165,7 +176,12 @@ fn free_bodies_have_six_zero_energy_modes_and_no_more() {
         let u = motion.displacement(&mesh);
         k.mul(&u, &mut forces);
         assert!(forces.iter().all(|f| f.abs() < 1e-13), "{motion}");
-        assert!(stress::strain_energy(&mesh, &material, &u).unwrap().abs() < 1e-13);
+        assert!(
+            stress::strain_energy(&mesh, &material, Formulation::Full, &u)
+                .unwrap()
+                .abs()
+                < 1e-13
+        );
     }
     let n = k.order();
     let full = dense(&k);
@@ -194,9 +210,9 @@ fn threads_do_not_change_a_bit() {
             .build()
             .unwrap();
         pool.install(|| {
-            let k = stiffness(&mesh, &material, &dofs).unwrap();
-            let forces = internal_forces(&mesh, &material, &u).unwrap();
-            let stresses = stress::recover(&mesh, &material, &u);
+            let k = stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap();
+            let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
+            let stresses = stress::recover(&mesh, &material, Formulation::Full, &u);
             (
                 k.lower().col_ptr().to_vec(),
                 k.lower().row_idx().to_vec(),
@@ -216,11 +232,17 @@ fn threads_do_not_change_a_bit() {
 fn internal_forces_are_the_action_of_the_whole_matrix() {
     let mesh = perturbed_brick([4, 4, 3], 0.12);
     let material = Isotropic::new(11.0, 0.4).unwrap();
-    let k = stiffness(&mesh, &material, &DofMap::unsupported(mesh.node_count(), 3)).unwrap();
+    let k = stiffness(
+        &mesh,
+        &material,
+        Formulation::Full,
+        &DofMap::unsupported(mesh.node_count(), 3),
+    )
+    .unwrap();
     let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).sin()).collect();
     let mut expected = vec![0.0; u.len()];
     k.mul(&u, &mut expected);
-    let forces = internal_forces(&mesh, &material, &u).unwrap();
+    let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
     let scale = expected.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     assert!(
         forces
@@ -233,7 +255,15 @@ fn internal_forces_are_the_action_of_the_whole_matrix() {
     let supports = some_supports(&mesh);
     let dofs = DofMap::new(&supports);
     let load: Vec<f64> = (0..u.len()).map(|i| i as f64).collect();
-    let reduced = reduced_load(&mesh, &material, &dofs, &load, &supports.values()).unwrap();
+    let reduced = reduced_load(
+        &mesh,
+        &material,
+        Formulation::Full,
+        &dofs,
+        &load,
+        &supports.values(),
+    )
+    .unwrap();
     let full = dense(&k);
     for (free, value) in reduced.iter().enumerate() {
         let row = dofs.full_of_free(free);
@@ -256,8 +286,8 @@ fn bad_cells_and_spaces_are_named() {
     }
     let u = vec![0.0; mesh.dof_count()];
     for error in [
-        stiffness(&mesh, &material, &dofs).unwrap_err(),
-        internal_forces(&mesh, &material, &u).unwrap_err(),
+        stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap_err(),
+        internal_forces(&mesh, &material, Formulation::Full, &u).unwrap_err(),
     ] {
         match error {
             FemError::InvertedCell {
@@ -269,7 +299,7 @@ fn bad_cells_and_spaces_are_named() {
         }
     }
     assert!(
-        stiffness(&mesh, &material, &dofs)
+        stiffness(&mesh, &material, Formulation::Full, &dofs)
             .unwrap_err()
             .to_string()
             .starts_with("cell 13, around (")
@@ -280,7 +310,7 @@ fn bad_cells_and_spaces_are_named() {
         point[2] = 0.5 * point[0] + 0.25 * point[1];
     }
     let dofs = DofMap::unsupported(flat.node_count(), 3);
-    let error = stiffness(&flat, &material, &dofs).unwrap_err();
+    let error = stiffness(&flat, &material, Formulation::Full, &dofs).unwrap_err();
     assert!(
         matches!(error, FemError::DegenerateCell { cell: 0, .. }),
         "{error}"
@@ -294,7 +324,13 @@ fn bad_cells_and_spaces_are_named() {
         cells: CellKind::Quad4,
     })
     .unwrap();
-    let error = stiffness(&tube, &material.plane_stress(), &DofMap::unsupported(4, 2)).unwrap_err();
+    let error = stiffness(
+        &tube,
+        &material.plane_stress(),
+        Formulation::Full,
+        &DofMap::unsupported(4, 2),
+    )
+    .unwrap_err();
     assert_eq!(
         error,
         FemError::PlaneStress {
@@ -311,6 +347,7 @@ fn a_body_without_free_dofs_has_an_empty_matrix() {
     let k = stiffness(
         &mesh,
         &Isotropic::new(1.0, 0.3).unwrap(),
+        Formulation::Full,
         &DofMap::new(&supports),
     )
     .unwrap();

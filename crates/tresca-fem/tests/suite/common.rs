@@ -1,13 +1,19 @@
 //! Meshes and a linear solve shared by the tests.
 
 use faer::linalg::solvers::Solve;
-use tresca_fem::assembly::{reduced_load, stiffness};
+use tresca_fem::assembly::{Formulation, reduced_load, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
 use tresca_fem::supports::Supports;
 use tresca_la::SymmetricMatrix;
 use tresca_la::vector::{axpy, dot, norm};
+
+/// The kinds of cells that fill a space of the dimension.
+pub fn kinds(dimension: usize) -> impl Iterator<Item = CellKind> {
+    let all = CellKind::ALL.into_iter();
+    all.filter(move |kind| kind.dimension() == dimension)
+}
 
 /// The unit cube with interior nodes moved by `amount` cell sizes, in a fixed irregular way.
 pub fn perturbed_brick(nodes: [usize; 3], amount: f64) -> Mesh {
@@ -28,8 +34,8 @@ pub fn perturbed_brick(nodes: [usize; 3], amount: f64) -> Mesh {
     mesh
 }
 
-/// A unit square from `min` on with interior nodes moved by `amount` cell sizes, in a fixed irregular
-/// way.
+/// A unit square from `min` on with interior corner nodes moved by `amount` cell sizes, in a fixed
+/// irregular way.
 pub fn perturbed_rectangle(
     space: Space,
     cells: CellKind,
@@ -43,7 +49,7 @@ pub fn perturbed_rectangle(
         min,
         max,
         nodes,
-        cells,
+        cells: cells.linear(),
     })
     .unwrap();
     let mut node = 0;
@@ -58,6 +64,8 @@ pub fn perturbed_rectangle(
         node += 1;
         moved
     })
+    .unwrap()
+    .with_cells(cells)
     .unwrap()
 }
 
@@ -75,7 +83,18 @@ pub fn dense(k: &SymmetricMatrix) -> Vec<Vec<f64>> {
 
 /// The displacement (full dofs) under a load and supports, by faer's sparse Cholesky.
 pub fn solve(mesh: &Mesh, material: &Isotropic, supports: &Supports, load: &[f64]) -> Vec<f64> {
-    solve_by(mesh, material, supports, load, |k, f| {
+    solve_with(mesh, material, Formulation::Full, supports, load)
+}
+
+/// The same in a formulation of choice.
+pub fn solve_with(
+    mesh: &Mesh,
+    material: &Isotropic,
+    formulation: Formulation,
+    supports: &Supports,
+    load: &[f64],
+) -> Vec<f64> {
+    solve_by(mesh, material, formulation, supports, load, |k, f| {
         let factor = k.lower().sp_cholesky(faer::Side::Lower).unwrap();
         let x = factor.solve(faer::Col::from_fn(f.len(), |i| f[i]));
         (0..f.len()).map(|i| x[i]).collect()
@@ -90,7 +109,7 @@ pub fn solve_by_cg(
     supports: &Supports,
     load: &[f64],
 ) -> Vec<f64> {
-    solve_by(mesh, material, supports, load, |k, f| {
+    solve_by(mesh, material, Formulation::Full, supports, load, |k, f| {
         let diagonal = k.diagonal();
         let (mut x, mut r, mut kp) = (vec![0.0; f.len()], f.to_vec(), vec![0.0; f.len()]);
         let precondition = |r: &[f64]| {
@@ -123,13 +142,14 @@ pub fn solve_by_cg(
 fn solve_by(
     mesh: &Mesh,
     material: &Isotropic,
+    formulation: Formulation,
     supports: &Supports,
     load: &[f64],
     solver: impl Fn(&SymmetricMatrix, &[f64]) -> Vec<f64>,
 ) -> Vec<f64> {
     let dofs = DofMap::new(supports);
-    let k = stiffness(mesh, material, &dofs).unwrap();
-    let f = reduced_load(mesh, material, &dofs, load, &supports.values()).unwrap();
+    let k = stiffness(mesh, material, formulation, &dofs).unwrap();
+    let f = reduced_load(mesh, material, formulation, &dofs, load, &supports.values()).unwrap();
     let mut u = supports.values();
     dofs.write_free(&solver(&k, &f), &mut u);
     u
