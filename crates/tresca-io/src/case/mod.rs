@@ -62,9 +62,7 @@ pub use entries::{Components, Pair, Triple};
 pub use error::{CaseError, Fault, FaultKind};
 pub use fields::{Field, VectorField};
 pub use friction::{Friction, LAWS};
-pub use keys::{
-    Analysis, Brick, BrickCells, Coupling, Formulation, Material, PlaneCells, Rectangle,
-};
+pub use keys::{Analysis, Brick, BrickCells, Coupling, Material, PlaneCells, Rectangle};
 pub use loads::{BodyForce, Clamp, Gravity, Pressure, Support, Traction};
 pub use mesh::{FileMesh, Mesh};
 pub use obstacle::{Obstacle, ObstacleShape};

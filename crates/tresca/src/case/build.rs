@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use tresca_contact::FrictionLaw;
 use tresca_fem::FemError;
+use tresca_fem::assembly::Formulation;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
 use tresca_io::case::{
-    self, Analysis, Body, CaseError, CaseFile, Coupling, Formulation, Friction, Partners, Span,
-    Surface,
+    self, Analysis, Body, CaseError, CaseFile, Coupling, Friction, Partners, Span, Surface,
 };
 use tresca_qcqp::Settings;
 

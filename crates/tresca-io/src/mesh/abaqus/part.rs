@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::super::cells::FileCells;
 use super::super::error::MeshFileError;
-use super::super::file::Groups;
+use super::super::file::{Group, Groups};
 use super::super::numbering::Numbering;
 use super::super::order::{from_abaqus, reorder};
 use super::super::placement::Placement;
@@ -22,6 +22,8 @@ pub(super) struct Model {
     /// The space that each entity, an `*ELEMENT` line, belongs to.
     pub space_of_entity: Vec<usize>,
     pub skipped: Vec<String>,
+    /// Names of sets and surfaces as they stand where they come first, by the name in capitals.
+    spelled: HashMap<String, String>,
 }
 
 /// A space of numbers and names: an instance of a part, the assembly, or a deck without parts.
@@ -66,7 +68,7 @@ impl Model {
             self.read_nodes(keyword, placement)?;
             if let Some(set) = keyword.parameter("NSET") {
                 let all = first..self.points.len();
-                self.groups.of(set, 0).nodes.extend(all.clone());
+                self.group(set, 0).nodes.extend(all.clone());
                 node_sets.entry(set.to_uppercase()).or_default().extend(all);
             }
         }
@@ -75,7 +77,7 @@ impl Model {
             name: name.to_owned(),
             nodes,
             first_node,
-            elements: Numbering::new(&[]).unwrap_or_else(|_| unreachable!("no numbers repeat")),
+            elements: Numbering::default(),
             first_cell,
             node_sets,
             element_sets: HashMap::new(),
@@ -98,11 +100,18 @@ impl Model {
         Ok(())
     }
 
+    /// The group of a name, whatever the case of its letters, and dimension.
+    pub fn group(&mut self, name: &str, dimension: usize) -> &mut Group {
+        let spelled = self.spelled.entry(name.to_uppercase());
+        let name = spelled.or_insert_with(|| name.to_owned());
+        self.groups.of(name, dimension)
+    }
+
     /// Files cells under a name, by their dimension.
     pub fn group_of_cells(&mut self, name: &str, cells: &[usize]) {
         for &cell in cells {
             let dimension = self.cells.kind(cell).dimension();
-            self.groups.of(name, dimension).cells.push(cell);
+            self.group(name, dimension).cells.push(cell);
         }
     }
 
@@ -193,8 +202,7 @@ fn numbering(
         // wrong one, but one that shows the number.
         let place = of_kind
             .flat_map(|k| k.data.iter().map(move |&(line, text)| (k, line, text)))
-            .filter(|(_, _, text)| starts(text))
-            .last()
+            .rfind(|(_, _, text)| starts(text))
             .map(|(keyword, line, _)| keyword.place(line));
         match place.or_else(|| keywords.first().map(|k| k.place(k.line))) {
             Some(place) => MeshFileError::DuplicateNumber {

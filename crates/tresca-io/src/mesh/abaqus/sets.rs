@@ -51,7 +51,7 @@ impl Model {
             let name = keyword.required(&keyword.name)?;
             let members = self.members(space, keyword, sort)?;
             match sort {
-                Sort::Nodes => self.groups.of(name, 0).nodes.extend(&members),
+                Sort::Nodes => self.group(name, 0).nodes.extend(&members),
                 Sort::Elements => self.group_of_cells(name, &members),
             }
             let sets = match sort {

@@ -102,7 +102,19 @@ fn sets_and_surfaces_of_a_flat_deck() {
 }
 
 #[test]
-fn quadratic_surfaces_and_shells() {
+fn a_set_that_is_given_again_grows_whatever_its_letters() {
+    let text = TOWER.replace(
+        "*MATERIAL",
+        "*NSET, NSET=BASE\n5\n*NSET, NSET=\"Later\"\nbase\n*MATERIAL",
+    );
+    let file = deck(&text);
+    assert_eq!(file.group("Base", 0).unwrap().nodes, [0, 1, 2, 3, 4]);
+    assert_eq!(file.group("Later", 0).unwrap().nodes, [0, 1, 2, 3, 4]);
+    assert!(file.group("BASE", 0).is_err());
+}
+
+#[test]
+fn shells_are_surfaces_of_the_body_that_they_lie_on() {
     // A rigid plate of shells under a cube, and a surface of it.
     let text = TOWER.replace(
         "*ELSET, ELSET=Both",
