@@ -40,6 +40,7 @@ mod loading;
 mod loads;
 mod mesh;
 mod obstacle;
+mod placement;
 mod precheck;
 mod samples;
 mod source;

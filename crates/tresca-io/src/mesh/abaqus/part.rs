@@ -1,6 +1,7 @@
 //! Nodes and elements of a deck.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use super::super::cells::FileCells;
 use super::super::error::MeshFileError;
@@ -32,9 +33,11 @@ pub(super) struct Space {
     /// Of the instance; empty for a deck without parts and for the assembly.
     pub name: String,
     nodes: Numbering,
-    first_node: usize,
+    /// Its points among all.
+    pub points: Range<usize>,
     elements: Numbering,
-    first_cell: usize,
+    /// Its cells among all.
+    pub cells: Range<usize>,
     /// Points by name of the set, in capitals.
     pub node_sets: HashMap<String, Vec<usize>>,
     /// Cells by name of the set, in capitals.
@@ -44,12 +47,12 @@ pub(super) struct Space {
 impl Space {
     /// The point of a node.
     pub fn node(&self, number: u64) -> Option<usize> {
-        self.nodes.find(number).map(|i| self.first_node + i)
+        self.nodes.find(number).map(|i| self.points.start + i)
     }
 
     /// The cell of an element.
     pub fn element(&self, number: u64) -> Option<usize> {
-        self.elements.find(number).map(|i| self.first_cell + i)
+        self.elements.find(number).map(|i| self.cells.start + i)
     }
 }
 
@@ -76,9 +79,9 @@ impl Model {
         let mut space = Space {
             name: name.to_owned(),
             nodes,
-            first_node,
+            points: first_node..self.points.len(),
             elements: Numbering::default(),
-            first_cell,
+            cells: first_cell..first_cell,
             node_sets,
             element_sets: HashMap::new(),
         };
@@ -92,7 +95,10 @@ impl Model {
                 known.extend(all);
             }
         }
-        let numbers: Vec<u64> = (first_cell..self.cells.len())
+        space.cells.end = self.cells.len();
+        let numbers: Vec<u64> = space
+            .cells
+            .clone()
             .map(|cell| self.cells.number(cell))
             .collect();
         space.elements = numbering(&numbers, "element", keywords)?;

@@ -282,3 +282,23 @@ fn what_a_deck_cannot_mean_is_refused_with_its_line() {
     };
     assert_eq!(help.as_deref(), Some("did you mean `UPPER`?"));
 }
+
+/// Single characters changed, single lines left out: an error or another mesh, but no panic.
+#[test]
+fn damaged_decks_do_no_harm() {
+    let mut bytes = TOWER.as_bytes().to_vec();
+    for at in 0..bytes.len() {
+        let old = bytes[at];
+        for new in [b',', b'*', b'=', b'\n', b'9', b'.', 0xff] {
+            bytes[at] = new;
+            let _ = parse("damaged.inp", &bytes);
+        }
+        bytes[at] = old;
+    }
+    let lines: Vec<&str> = TOWER.lines().collect();
+    for left_out in 0..lines.len() {
+        let rest = lines.iter().enumerate().filter(|(i, _)| *i != left_out);
+        let text: Vec<&str> = rest.map(|(_, line)| *line).collect();
+        let _ = parse("damaged.inp", text.join("\n").as_bytes());
+    }
+}
