@@ -72,6 +72,7 @@ pub use source::{CaseSource, Span};
 pub use steps::{MAX_INCREMENTS, Step};
 pub use surface::Surface;
 pub use toml::Spanned;
+pub use tresca_fem::assembly::Formulation;
 pub use values::MAX_NODES;
 
 /// A case file whose names are resolved and whose values are possible. `S` holds the solver's
