@@ -23,6 +23,12 @@ pub enum Command {
     /// Exit code 0: converged. 1: not converged or interrupted; the results are written and
     /// marked. 2: wrong input; nothing is written. 130: interrupted before there was a result.
     Solve(SolveArguments),
+    /// Read a case with its meshes and say what was understood, without solving it: bodies, surfaces,
+    /// supports, loads and their resultants, contacts with their gaps, rigid motions that are left; write grids
+    /// of it.
+    ///
+    /// Exit code 0: understood. 2: wrong input; nothing is written.
+    Check(CheckArguments),
     /// Write the assembled matrices of a case: K by bodies, N, T, load, gaps, friction.
     Export(ExportArguments),
     /// Reproduce published experiments.
@@ -57,6 +63,18 @@ pub struct SolveArguments {
     /// Print the settings, the choice of the engine and the cost of the factorisation, too.
     #[arg(short, long)]
     pub verbose: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// The case file (TOML; see docs/case-file.md).
+    pub case: PathBuf,
+    /// Directory for the grids and `check.json` (default: `out/` and the case's name with `-check`).
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print only, write nothing.
+    #[arg(long, conflicts_with = "out")]
+    pub dry: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -112,6 +130,21 @@ pub enum Experiment {
     /// Two bricks with Coulomb's law: updates of the bounds and multiplications by A of both variants,
     /// beside one solve with the final bounds frozen.
     Coulomb(CoulombArguments),
+    /// Cases of your own: iterations and multiplications by A, reading, contact search, the whole run with
+    /// its files beside one linear solve of the same bodies, peak memory.
+    Case(CaseArguments),
+}
+
+#[derive(Debug, Args)]
+pub struct CaseArguments {
+    /// Case files, for example one case on finer and finer meshes.
+    #[arg(required = true)]
+    pub cases: Vec<PathBuf>,
+    #[command(flatten)]
+    pub solver: SolverArguments,
+    /// Number of threads (default: all processors).
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]

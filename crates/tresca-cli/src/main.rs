@@ -24,6 +24,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let result = match &arguments.command {
         Command::Solve(solve) => commands::solve::run(solve),
+        Command::Check(check) => commands::check::run(check),
         Command::Export(export) => commands::export::run(export),
         Command::Bench(bench) => commands::bench::run(bench),
         Command::Options(options) => commands::options::run(options),

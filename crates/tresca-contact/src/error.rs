@@ -1,5 +1,7 @@
 //! What can be wrong with the geometry of a contact.
 
+use tresca_fem::mesh::CellKind;
+
 /// Why two surfaces could not be coupled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -43,6 +45,82 @@ pub enum ContactError {
         point[0], point[1], point[2]
     )]
     NoNormal {
+        /// The node's position.
+        point: [f64; 3],
+    },
+    /// Quadratic faces cannot be coupled node by node.
+    #[error(
+        "surfaces of {kind} faces cannot be coupled node by node (corner nodes have no area of their \
+         own); use mortar coupling"
+    )]
+    QuadraticFaces {
+        /// The faces' kind.
+        kind: CellKind,
+    },
+    /// A cell that is no face of the space at hand, or a face with a wrong number of nodes.
+    #[error("a contact surface cannot have faces of kind {kind} with {nodes} nodes here")]
+    FaceKind {
+        /// What was given.
+        kind: CellKind,
+        /// With that many nodes.
+        nodes: usize,
+    },
+    /// A face refers to a point that is not there or not finite.
+    #[error(
+        "a face of a contact surface refers to point {node}, which does not exist or is not finite"
+    )]
+    FaceNode {
+        /// Number of the point.
+        node: usize,
+    },
+    /// A face without area, or a quadrilateral with a corner that points inwards.
+    #[error(
+        "a face of the contact surface has no area, or a corner that points inwards, at ({}, {}, {})",
+        point[0], point[1], point[2]
+    )]
+    DegenerateFace {
+        /// Its centre.
+        point: [f64; 3],
+    },
+    /// Nothing lies in front of the slave surface.
+    #[error(
+        "the two surfaces are too far apart, or face away from each other: nothing lies in front of the \
+         slave surface within the search distance"
+    )]
+    Apart,
+    /// The search distance is no length.
+    #[error("the search distance must be a length > 0, found {search}")]
+    Search {
+        /// What was given.
+        search: f64,
+    },
+    /// An obstacle whose numbers make no sense.
+    #[error("{what}")]
+    Obstacle {
+        /// What is wrong.
+        what: &'static str,
+    },
+    /// A slave node is too deep in an obstacle for the nearest point of it to mean anything.
+    #[error(
+        "the slave node at ({}, {}, {}) is {depth} deep inside of the obstacle, beyond half of its radius \
+         {radius}",
+        point[0], point[1], point[2]
+    )]
+    TooDeep {
+        /// The node's position.
+        point: [f64; 3],
+        /// How deep it is.
+        depth: f64,
+        /// The obstacle's radius.
+        radius: f64,
+    },
+    /// A slave node at the centre of a round cavity sees it in no direction.
+    #[error(
+        "the slave node at ({}, {}, {}) lies at the centre of the obstacle's cavity, which has no nearest \
+         point there; choose a smaller search distance",
+        point[0], point[1], point[2]
+    )]
+    AtCenter {
         /// The node's position.
         point: [f64; 3],
     },

@@ -1,7 +1,7 @@
 //! Times of assembly, internal forces and stress recovery on one brick of the two-brick benchmark.
 //!
-//! `cargo bench -p tresca-fem --bench assembly [-- NODES_PER_EDGE]`, 41 by default; set
-//! `RAYON_NUM_THREADS` to choose the threads. Prints the best of five runs.
+//! `cargo bench -p tresca-fem --bench assembly [-- NODES_PER_EDGE [KIND]]`, 41 corner nodes per edge and
+//! hex8 by default; set `RAYON_NUM_THREADS` to choose the threads. Prints the best of five runs.
 #![allow(clippy::print_stdout)]
 
 use std::error::Error;
@@ -9,26 +9,31 @@ use std::time::Instant;
 use tresca_fem::assembly::Formulation;
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{BrickSpec, brick};
+use tresca_fem::mesh::{BrickSpec, CellKind, brick};
 use tresca_fem::supports::Supports;
 use tresca_fem::{FemError, assembly, stress};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let s = std::env::args()
-        .skip(1)
-        .find_map(|arg| arg.parse::<usize>().ok())
-        .unwrap_or(41);
-    let mesh = brick(&BrickSpec {
+    let (mut s, mut kind) = (41, CellKind::Hex8);
+    // Cargo adds an argument of its own.
+    for arg in std::env::args().skip(1).filter(|arg| arg != "--bench") {
+        match arg.parse() {
+            Ok(nodes) => s = nodes,
+            Err(_) => kind = arg.parse()?,
+        }
+    }
+    let spec = BrickSpec {
         min: [0.0; 3],
         max: [2.0, 1.0, 1.0],
         nodes: [s; 3],
-    })?;
+    };
+    let mesh = brick(&spec)?.with_cells(kind)?;
     let material = Isotropic::new(5e4, 0.35)?;
     let mut supports = Supports::new(mesh.node_count(), 3);
     supports.clamp(&mesh.nodes_of_set("x-")?)?;
     let dofs = DofMap::new(&supports);
     println!(
-        "{} cells, {} dofs, {} threads",
+        "{} {kind} cells, {} dofs, {} threads",
         mesh.cell_count(),
         dofs.full_len(),
         rayon::current_num_threads()
@@ -54,14 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::hint::black_box(stress::recover(&mesh, &material, Formulation::Full, &u));
         Ok::<(), FemError>(())
     })?;
-    report("mesh", || {
-        brick(&BrickSpec {
-            min: [0.0; 3],
-            max: [2.0, 1.0, 1.0],
-            nodes: [s; 3],
-        })
-        .map(drop)
-    })?;
+    report("mesh", || brick(&spec)?.with_cells(kind).map(drop))?;
     Ok(())
 }
 

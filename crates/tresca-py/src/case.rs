@@ -134,7 +134,7 @@ impl Outcome {
         for (contact, pairs) in model.contacts().iter().zip(&step.contacts) {
             let arrays = contact_arrays(py, pairs)?;
             arrays.set_item("slave", model.surface_name(&contact.slave))?;
-            arrays.set_item("master", model.surface_name(&contact.master))?;
+            arrays.set_item("master", model.partner_name(&contact.master))?;
             contacts.append(arrays)?;
         }
         result.set_item("contacts", contacts)?;

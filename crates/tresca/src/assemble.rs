@@ -1,10 +1,13 @@
 //! From the model to matrices: K of each body, B, d and the friction data of each contact.
 
+use std::time::Instant;
+
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
-use tresca_contact::{ContactData, ContactPair, Interface, Side, couple_node_by_node};
+use tresca_contact::{
+    ContactData, ContactError, ContactPair, Interface, Side, couple, couple_obstacle,
+};
 use tresca_fem::assembly;
-use tresca_fem::assembly::Formulation;
 use tresca_fem::dofs::DofMap;
 use tresca_fem::supports::Supports;
 use tresca_la::SymmetricMatrix;
@@ -14,7 +17,7 @@ use crate::ModelError;
 use crate::elastic::ElasticBody;
 use crate::floating::{Floating, floating};
 use crate::layout::Layout;
-use crate::model::{Model, Surface};
+use crate::model::{Contact, Model, Partner, Surface};
 
 /// One body as linear algebra.
 #[derive(Debug, Clone)]
@@ -43,6 +46,8 @@ pub struct Assembled {
     pub contacts: Vec<ContactData>,
     /// Where every pair stands in λ.
     pub layout: Layout,
+    /// Seconds that contact search and coupling took.
+    pub contact_seconds: f64,
 }
 
 impl Assembled {
@@ -112,38 +117,11 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
     if model.contacts().is_empty() {
         return Err(ModelError::NoContact);
     }
-    let dof_maps = (0..model.bodies().len())
-        .map(|body| {
-            Ok(DofMap::new(&supports(model, body, |k| {
-                model.supports()[k].components
-            })?))
-        })
-        .collect::<Result<Vec<_>, ModelError>>()?;
+    let dof_maps = dof_maps(model)?;
     // Contact geometry first: it is quick, and its errors should not wait for the stiffness.
-    let contacts = model
-        .contacts()
-        .iter()
-        .enumerate()
-        .map(|(index, contact)| {
-            let side = |surface: &Surface| Side {
-                mesh: &model.bodies()[surface.body].mesh,
-                faces: model.faces(surface),
-                dofs: &dof_maps[surface.body],
-            };
-            let interface = Interface {
-                friction: &contact.friction,
-                gap: &contact.gap,
-            };
-            couple_node_by_node(side(&contact.slave), side(&contact.master), interface).map_err(
-                |source| ModelError::Coupling {
-                    contact: index,
-                    slave: model.surface_name(&contact.slave),
-                    master: model.surface_name(&contact.master),
-                    source,
-                },
-            )
-        })
-        .collect::<Result<Vec<_>, _>>()?;
+    let begin = Instant::now();
+    let contacts = couple_all(model, &dof_maps)?;
+    let contact_seconds = begin.elapsed().as_secs_f64();
     if contacts.iter().all(|data| data.pairs.is_empty()) {
         return Err(ModelError::NoFreePairs);
     }
@@ -167,7 +145,70 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
         bodies,
         contacts,
         layout,
+        contact_seconds,
     })
+}
+
+/// The free and held dofs of every body.
+pub(crate) fn dof_maps(model: &Model) -> Result<Vec<DofMap>, ModelError> {
+    let components = |k: usize| model.supports()[k].components;
+    (0..model.bodies().len())
+        .map(|body| Ok(DofMap::new(&supports(model, body, components)?)))
+        .collect()
+}
+
+/// The geometry of every contact, one after the other: where two contacts of a slave body share an edge, its
+/// nodes belong to the first one.
+pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactData>, ModelError> {
+    let mut contacts: Vec<ContactData> = Vec::with_capacity(model.contacts().len());
+    for (index, contact) in model.contacts().iter().enumerate() {
+        let before = model.contacts().iter().zip(&contacts);
+        let same_slave = before.filter(|(other, _)| other.slave.body == contact.slave.body);
+        let taken: Vec<usize> = same_slave
+            .flat_map(|(_, data)| data.pairs.iter().map(|pair| pair.slave_node))
+            .collect();
+        let data = coupled(model, contact, dofs, &taken);
+        contacts.push(data.map_err(|source| ModelError::Coupling {
+            contact: index,
+            slave: model.surface_name(&contact.slave),
+            master: model.partner_name(&contact.master),
+            source,
+        })?);
+    }
+    Ok(contacts)
+}
+
+/// The geometry of a contact; `taken` are slave nodes that other contacts have.
+fn coupled(
+    model: &Model,
+    contact: &Contact,
+    dofs: &[DofMap],
+    taken: &[usize],
+) -> Result<ContactData, ContactError> {
+    let side = |surface: &Surface, taken| Side {
+        mesh: &model.bodies()[surface.body].mesh,
+        faces: model.faces(surface),
+        dofs: &dofs[surface.body],
+        taken,
+    };
+    let interface = Interface {
+        friction: &contact.friction,
+        gap: &contact.gap,
+    };
+    let slave = side(&contact.slave, taken);
+    match &contact.master {
+        Partner::Surface(master) => couple(
+            slave,
+            side(master, &[]),
+            interface,
+            contact.coupling,
+            contact.search,
+        ),
+        Partner::Obstacle(index) => {
+            let shape = &model.obstacles()[*index].shape;
+            couple_obstacle(slave, shape, interface, contact.search)
+        }
+    }
 }
 
 /// The supports of a body with the displacements that `components` gives for each support of the model.
@@ -180,8 +221,8 @@ pub(crate) fn supports(
     let mut supports = Supports::new(body.mesh.node_count(), body.mesh.dimension());
     for (number, support) in model.supports().iter().enumerate() {
         let values = components(number);
-        for surface in support.on.iter().filter(|surface| surface.body == index) {
-            for node in body.mesh.nodes_of_faces(model.faces(surface)) {
+        for place in support.on.iter().filter(|place| place.body == index) {
+            for node in model.nodes(place) {
                 for (component, value) in values.into_iter().enumerate() {
                     if let Some(value) = value {
                         supports
@@ -220,7 +261,7 @@ fn body_system(
         trailing_dofs.dedup();
     }
     Ok(BodySystem {
-        stiffness: assembly::stiffness(&body.mesh, &body.material, Formulation::Full, &dofs)
+        stiffness: assembly::stiffness(&body.mesh, &body.material, body.formulation, &dofs)
             .map_err(in_body)?,
         dofs,
         floating,
@@ -244,8 +285,8 @@ fn body_contact(model: &Model, contacts: &[ContactData], body: usize, columns: u
             };
             let matrix = if contact.slave.body == body {
                 Some(&data.slave_coupling)
-            } else if contact.master.body == body {
-                Some(&data.master_coupling)
+            } else if contact.master.surface().is_some_and(|on| on.body == body) {
+                data.master_coupling.as_ref()
             } else {
                 None
             };

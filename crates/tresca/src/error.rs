@@ -7,8 +7,8 @@ use tresca_contact::ContactError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelError {
-    /// Two bodies with one name.
-    #[error("there is already a body called `{name}`")]
+    /// Two bodies or obstacles with one name.
+    #[error("there is already a body or an obstacle called `{name}`")]
     DuplicateBody {
         /// The name.
         name: String,
@@ -20,6 +20,23 @@ pub enum ModelError {
         name: String,
         /// The names that exist.
         known: Vec<String>,
+    },
+    /// An obstacle that does not exist.
+    #[error(
+        "there is no obstacle called `{name}`; the obstacles are {}",
+        list(known)
+    )]
+    UnknownObstacle {
+        /// The name that was given.
+        name: String,
+        /// The names that exist.
+        known: Vec<String>,
+    },
+    /// Automatic pairing found nothing.
+    #[error("no two bodies have surfaces that face one another within a distance of {distance}")]
+    NothingWithin {
+        /// The distance.
+        distance: f64,
     },
     /// A surface that does not exist.
     #[error(

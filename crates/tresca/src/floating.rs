@@ -175,7 +175,7 @@ pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> Unr
             let name = format!(
                 "{} – {}",
                 model.surface_name(&contact.slave),
-                model.surface_name(&contact.master)
+                model.partner_name(&contact.master)
             );
             contacts.push((name, if opens { "opens" } else { "slides" }));
         }

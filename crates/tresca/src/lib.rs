@@ -33,6 +33,7 @@ pub mod algebraic;
 pub mod assemble;
 pub mod case;
 pub mod certificate;
+mod check;
 pub mod dual;
 mod elastic;
 mod ellipse;
@@ -48,11 +49,14 @@ pub mod model;
 mod outcome;
 pub mod output;
 pub mod progress;
+mod reactions;
 mod solve;
 mod summary;
+mod surface_fields;
 pub mod two_bricks;
 
 pub use certificate::Certificate;
+pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
 pub use error::ModelError;
 pub use floating::{Floating, UnresistedMotion};
 pub use layout::Layout;
@@ -60,11 +64,14 @@ pub use load_step::Acting;
 pub use model::{Model, SurfaceRef};
 pub use outcome::{Outcome, PairState, StepOutcome, Times};
 pub use progress::{Progress, Silent, Stage};
+pub use reactions::SupportReaction;
 pub use solve::{Description, Prepared, Run, prepare, solve};
 pub use summary::Summary;
+pub use surface_fields::SurfaceFields;
 pub use two_bricks::two_bricks;
 
-pub use tresca_contact::{Field, Frame, FrictionLaw, Sliding};
+pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
+pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_qcqp::{
     CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts,

@@ -1,13 +1,12 @@
 //! What acts in a load step: forces, prescribed displacements, slip bounds.
 
 use tresca_contact::{Field, Sliding};
-use tresca_fem::assembly::Formulation;
 use tresca_fem::{assembly, loads};
-use tresca_la::vector::axpy;
+use tresca_la::vector::{axpy, dot};
 
 use crate::ModelError;
 use crate::assemble::{Assembled, supports};
-use crate::model::{Amount, LoadKind, Model, Step, VectorField};
+use crate::model::{Amount, Load, LoadKind, Model, Partner, Step, VectorField};
 
 /// Everything that may change from step to step.
 #[derive(Debug, Clone)]
@@ -20,6 +19,18 @@ pub struct Acting {
     pub free_loads: Vec<Vec<f64>>,
     /// The law of every pair, slip bounds as they are in this step.
     pub slidings: Vec<Sliding>,
+    /// What the motion of obstacles adds to B u: \[−ν·v; −τ·v\] of pairs with an obstacle that moves by v, zero
+    /// of all others. Length d m.
+    pub obstacle_motion: Vec<f64>,
+}
+
+impl Acting {
+    /// Approach and slip of every pair: B u less what the obstacles move.
+    pub fn relative(&self, assembled: &Assembled, displacements: &[Vec<f64>]) -> Vec<f64> {
+        let mut relative = assembled.relative(displacements);
+        axpy(1.0, &self.obstacle_motion, &mut relative);
+        relative
+    }
 }
 
 /// What acts in a step.
@@ -38,7 +49,7 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
         let reduced = assembly::reduced_load(
             &body.mesh,
             &body.material,
-            Formulation::Full,
+            body.formulation,
             &system.dofs,
             &load,
             &prescribed,
@@ -62,7 +73,36 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
                     .map(move |pair| sliding(pair.sliding, pair.area, amount))
             })
             .collect(),
+        obstacle_motion: obstacle_motion(model, assembled, step),
     })
+}
+
+/// Displacement of an obstacle in a step.
+fn motion_of_obstacle(model: &Model, step: &Step, number: usize) -> [f64; 3] {
+    match step.obstacles[number] {
+        Amount::Factor(factor) => model.obstacles()[number].motion.map(|x| factor * x),
+        Amount::Value(value) => value,
+    }
+}
+
+fn obstacle_motion(model: &Model, assembled: &Assembled, step: &Step) -> Vec<f64> {
+    let layout = &assembled.layout;
+    let (m, tangents) = (layout.pair_count(), layout.tangents());
+    let mut moved = vec![0.0; layout.unknowns()];
+    let mut i = 0;
+    for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
+        if let Partner::Obstacle(number) = contact.master {
+            let v = motion_of_obstacle(model, step, number);
+            for (offset, pair) in data.pairs.iter().enumerate() {
+                moved[i + offset] = -dot(&pair.frame.normal, &v);
+                for (t, tangent) in pair.frame.tangents.iter().take(tangents).enumerate() {
+                    moved[m + tangents * (i + offset) + t] = -dot(tangent, &v);
+                }
+            }
+        }
+        i += data.pairs.len();
+    }
+    moved
 }
 
 fn amount_of_support(model: &Model, step: &Step, number: usize) -> [Option<f64>; 3] {
@@ -91,11 +131,7 @@ fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, Model
     let mesh = &model.bodies()[index].mesh;
     let mut sum = vec![0.0; mesh.dof_count()];
     for (number, (load, &amount)) in model.loads().iter().zip(&step.loads).enumerate() {
-        let (factor, value) = match amount {
-            Amount::Factor(factor) => (factor, None),
-            Amount::Value(value) => (1.0, Some(value)),
-        };
-        add(model, index, &load.kind, value, factor, &mut sum);
+        add_load(model, index, load, amount, &mut sum);
         if !sum.iter().all(|x| x.is_finite()) {
             return Err(ModelError::NonFiniteLoad {
                 load: number,
@@ -104,6 +140,21 @@ fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, Model
         }
     }
     Ok(sum)
+}
+
+/// Adds an amount of a load to what acts on a body.
+pub(crate) fn add_load(
+    model: &Model,
+    index: usize,
+    load: &Load,
+    amount: Amount<[f64; 3]>,
+    sum: &mut [f64],
+) {
+    let (factor, value) = match amount {
+        Amount::Factor(factor) => (factor, None),
+        Amount::Value(value) => (1.0, Some(value)),
+    };
+    add(model, index, &load.kind, value, factor, sum);
 }
 
 /// sum ← sum + factor · load, with `value` in the place of the load's own.

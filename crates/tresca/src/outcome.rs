@@ -10,12 +10,15 @@ use crate::certificate::Certificate;
 use crate::floating::UnresistedMotion;
 use crate::load_step::Acting;
 use crate::solve::Description;
+use crate::surface_fields::SurfaceFields;
 
 /// Wall-clock seconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Times {
     /// Stiffness and contact data.
     pub assembly: f64,
+    /// Contact search and coupling, a part of the assembly.
+    pub contact: f64,
     /// Ordering, analysis and factorisation of all bodies, and the set-up of the dual operator.
     pub factorization: f64,
     /// The dual problems of all steps, estimate of σmax included.
@@ -90,6 +93,10 @@ pub struct StepOutcome {
     pub solution: Solution,
     /// Displacement of each body over its full dofs (x, y, z node by node).
     pub displacements: Vec<Vec<f64>>,
+    /// Reactions of the supports on each body over its full dofs, zero at free ones.
+    pub reactions: Vec<Vec<f64>>,
+    /// Contact as fields on the nodes of each body.
+    pub surfaces: Vec<SurfaceFields>,
     /// State of the pairs, one list per contact of the model.
     pub contacts: Vec<Vec<PairState>>,
     /// Independent check of the result.

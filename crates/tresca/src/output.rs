@@ -1,11 +1,11 @@
 //! The result files of a run.
 
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
-use tresca_fem::assembly::Formulation;
 use tresca_fem::mesh::{CellKind, Mesh};
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
@@ -13,9 +13,10 @@ use tresca_io::case::LAWS;
 use tresca_io::history::History;
 use tresca_io::pvd::{self, Part};
 use tresca_io::results::{BodyFields, ContactFields};
-use tresca_io::vtu::{CellShape, Cells, Fact, Field, Values};
+use tresca_io::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 use tresca_io::{WriteError, summary};
 
+use crate::check::Check;
 use crate::model::{Body, Model};
 use crate::outcome::{Outcome, PairState, StepOutcome};
 use crate::{IterationRecord, Summary, VERSION};
@@ -89,7 +90,7 @@ impl Destination {
                 .bodies()
                 .par_iter()
                 .zip(&step.displacements)
-                .map(|(body, u)| stress::recover(&body.mesh, &body.material, Formulation::Full, u))
+                .map(|(body, u)| stress::recover(&body.mesh, &body.material, body.formulation, u))
                 .collect();
             for (index, (body, stress)) in model.bodies().iter().zip(&stresses).enumerate() {
                 stage(&body.name, &|out| {
@@ -226,20 +227,37 @@ fn write_body(
     out: &mut dyn Write,
 ) -> Result<(), WriteError> {
     let von_mises: Vec<f64> = stress.iter().map(|&s| stress::von_mises(s)).collect();
-    let motion: Option<Vec<[f64; 3]>> = step.unresisted.as_ref().map(|motion| {
-        let of_node = |u: &[f64]| [u[0], u[1], u.get(2).copied().unwrap_or(0.0)];
-        let nodes = motion.displacements[index].chunks_exact(body.mesh.dimension());
-        nodes.map(of_node).collect()
-    });
+    let reaction = node_vectors(body, &step.reactions[index]);
+    let surface = &step.surfaces[index];
+    let count = body.mesh.node_count();
+    let force = surface.expand(&surface.force, count);
+    let pressure = surface.expand(&surface.pressure, count);
+    let traction = surface.expand(&surface.traction, count);
+    let gap = surface.expand(&surface.gap, count);
+    let status = surface.expand(&surface.status, count);
+    let mut extra = vec![Field::new("reaction", Values::Vectors(&reaction))];
+    if !surface.nodes.is_empty() {
+        extra.extend([
+            Field::new("contact_force", Values::Vectors(&force)),
+            Field::new("contact_pressure", Values::Scalars(&pressure)),
+            Field::new("contact_traction", Values::Vectors(&traction)),
+            Field::new("contact_gap", Values::Scalars(&gap)),
+            Field::new("contact_status", Values::States(&status)),
+        ]);
+    }
+    let motion = step.unresisted.as_ref();
+    let motion = motion.map(|motion| node_vectors(body, &motion.displacements[index]));
+    extra.extend(
+        motion
+            .iter()
+            .map(|motion| Field::new("unresisted_motion", Values::Vectors(motion))),
+    );
     BodyFields {
         mesh: &body.mesh,
         displacement: &step.displacements[index],
         stress,
         von_mises: &von_mises,
-        extra: motion
-            .iter()
-            .map(|motion| Field::new("unresisted_motion", Values::Vectors(motion)))
-            .collect(),
+        extra,
         facts,
     }
     .write(out)
@@ -253,17 +271,8 @@ fn write_contact(
 ) -> Result<(), WriteError> {
     let mut index = Vec::new();
     let mut laws = Vec::new();
-    // Lines, triangles and quadrilaterals between the pairs.
-    let mut cells = [
-        CellKind::Line2,
-        CellKind::Line3,
-        CellKind::Tri3,
-        CellKind::Tri6,
-        CellKind::Quad4,
-        CellKind::Quad8,
-        CellKind::Quad9,
-    ]
-    .map(|kind| (CellShape::from(kind), Vec::new()));
+    // The faces between the pairs, by kind.
+    let mut cells: BTreeMap<CellKind, Vec<usize>> = BTreeMap::new();
     let mut first = 0;
     for (number, (contact, pairs)) in model.contacts().iter().zip(&step.contacts).enumerate() {
         let end = index.len() + pairs.len();
@@ -277,14 +286,14 @@ fn write_contact(
         let mesh = &model.bodies()[contact.slave.body].mesh;
         let point_of_node = points_of_nodes(mesh, pairs, first);
         for &face in model.faces(&contact.slave) {
-            let shape = CellShape::from(mesh.face_kind(face));
             let nodes = mesh.face_nodes(face).into_iter();
             let points: Option<Vec<usize>> = nodes.map(|node| point_of_node[node]).collect();
-            // A face with a pair that was left out (both nodes held) is not shown.
-            if let (Some((_, cells)), Some(points)) =
-                (cells.iter_mut().find(|(own, _)| *own == shape), points)
-            {
-                cells.extend(points);
+            // A face with a pair that was left out (both nodes held, or no partner) is not shown.
+            if let Some(points) = points {
+                cells
+                    .entry(mesh.face_kind(face))
+                    .or_default()
+                    .extend(points);
             }
         }
         first += pairs.len();
@@ -298,12 +307,12 @@ fn write_contact(
         state.pair.frame.to_global([0.0, a, b])
     });
     let largest_bound = |state: &PairState| state.slip_bounds.map_or(0.0, |[a, b]| a.max(b));
-    let faces = cells.iter().filter(|(_, points)| !points.is_empty());
     ContactFields {
         points: &column(&pairs, |state| state.pair.point),
-        faces: faces
-            .map(|(shape, points)| Cells {
-                shape: *shape,
+        faces: cells
+            .iter()
+            .map(|(&kind, points)| Cells {
+                shape: CellShape::from(kind),
                 connectivity: points,
             })
             .collect(),
@@ -332,4 +341,102 @@ fn points_of_nodes(mesh: &Mesh, pairs: &[PairState], first: usize) -> Vec<Option
         points[state.pair.slave_node] = Some(first + offset);
     }
     points
+}
+
+impl Destination {
+    /// Writes what [`check`](crate::check()) put together: `<body>.vtu` with what holds and what pulls,
+    /// `contact.vtu` with the contact points and their gaps, `<name>.pvd`, `check.json`. All or none.
+    ///
+    /// # Errors
+    /// When a file cannot be written, or a field holds a number that is not finite.
+    pub fn write_check(self, name: &str, model: &Model, check: &Check) -> Result<(), WriteError> {
+        let mut files = OutputSet::new(self.directory)?;
+        let mut parts = Vec::new();
+        for (index, body) in model.bodies().iter().enumerate() {
+            let file = format!("{}.vtu", body.name);
+            files.stage(&file, |out| write_checked_body(body, check, index, out))?;
+            parts.push((body.name.clone(), file));
+        }
+        let points: Vec<_> = check
+            .contact_data
+            .iter()
+            .flat_map(|data| &data.pairs)
+            .collect();
+        if !points.is_empty() {
+            let file = format!("{CONTACT}.vtu");
+            files.stage(&file, |out| write_checked_contact(check, out))?;
+            parts.push((CONTACT.to_owned(), file));
+        }
+        let parts: Vec<_> = parts
+            .iter()
+            .map(|(name, file)| Part {
+                name,
+                file,
+                time: 0.0,
+            })
+            .collect();
+        files.stage(&format!("{name}.pvd"), |out| pvd::write(out, &parts))?;
+        files.stage("check.json", |out| summary::write(out, check))?;
+        files.commit()?;
+        Ok(())
+    }
+}
+
+fn write_checked_body(
+    body: &Body,
+    check: &Check,
+    index: usize,
+    out: &mut dyn Write,
+) -> Result<(), WriteError> {
+    let load = node_vectors(body, &check.nodal_loads[index]);
+    let mut grid = Grid::of_mesh(&body.mesh);
+    grid.point_fields = vec![
+        Field::new("held_components", Values::States(&check.held[index])),
+        Field::new("load", Values::Vectors(&load)),
+    ];
+    grid.facts = vec![
+        ("title".to_owned(), Fact::Text(check.title.clone())),
+        (
+            "version".to_owned(),
+            Fact::Text(format!("tresca {VERSION}")),
+        ),
+    ];
+    grid.write(out)
+}
+
+fn write_checked_contact(check: &Check, out: &mut dyn Write) -> Result<(), WriteError> {
+    let pairs = || check.contact_data.iter().flat_map(|data| &data.pairs);
+    let points: Vec<[f64; 3]> = pairs().map(|pair| pair.point).collect();
+    let vertices: Vec<usize> = (0..points.len()).collect();
+    let number = |(number, data): (usize, &tresca_contact::ContactData)| {
+        std::iter::repeat_n(i32::try_from(number).unwrap_or(i32::MAX), data.pairs.len())
+    };
+    let index: Vec<i32> = check
+        .contact_data
+        .iter()
+        .enumerate()
+        .flat_map(number)
+        .collect();
+    let normals: Vec<[f64; 3]> = pairs().map(|pair| pair.frame.normal).collect();
+    let gaps: Vec<f64> = pairs().map(|pair| pair.gap).collect();
+    let areas: Vec<f64> = pairs().map(|pair| pair.area).collect();
+    let mut grid = Grid::new(&points);
+    grid.cells.push(Cells {
+        shape: CellShape::Vertex,
+        connectivity: &vertices,
+    });
+    grid.point_fields = vec![
+        Field::new("pair", Values::Integers(&index)),
+        Field::new("normal", Values::Vectors(&normals)),
+        Field::new("gap", Values::Scalars(&gaps)),
+        Field::new("area", Values::Scalars(&areas)),
+    ];
+    grid.write(out)
+}
+
+/// A field over the full dofs as vectors at the nodes; VTK's vectors have three components in the plane, too.
+fn node_vectors(body: &Body, values: &[f64]) -> Vec<[f64; 3]> {
+    let of_node = |u: &[f64]| [u[0], u[1], u.get(2).copied().unwrap_or(0.0)];
+    let nodes = values.chunks_exact(body.mesh.dimension());
+    nodes.map(of_node).collect()
 }

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use tresca_contact::Sliding;
-use tresca_la::vector::dot;
+use tresca_la::vector::{axpy, dot};
 use tresca_qcqp::{DualProblem, Settings, Solution, Start, Status};
 
 use crate::assemble::{Assembled, assemble};
@@ -20,6 +20,8 @@ use crate::load_step::{Acting, acting};
 use crate::model::Step;
 use crate::outcome::{Outcome, StepOutcome, Times, pair_states};
 use crate::progress::{Progress, Stage};
+use crate::reactions::nodal_reactions;
+use crate::surface_fields::SurfaceFields;
 use crate::{Model, ModelError, memory};
 
 /// Sizes of a problem and how it is going to be solved.
@@ -128,15 +130,16 @@ pub fn prepare(
     };
     progress.problem(&description);
     Ok(ControlFlow::Continue(Prepared {
+        times: Times {
+            assembly,
+            contact: assembled.contact_seconds,
+            factorization: begin.elapsed().as_secs_f64(),
+            ..Times::default()
+        },
         assembled,
         factored,
         dual,
         description,
-        times: Times {
-            assembly,
-            factorization: begin.elapsed().as_secs_f64(),
-            ..Times::default()
-        },
     }))
 }
 
@@ -278,8 +281,8 @@ impl Prepared {
         Ok(outcome)
     }
 
-    /// Poses the dual problem of a step: b = B u⁰ − c with u⁰ the displacement without contact,
-    /// c = \[d; T u of the step before\], e = Rᵀf, and the slip bounds. Returns fᵀK⁺f.
+    /// Poses the dual problem of a step: b = B u⁰ − c with u⁰ the displacement without contact (and
+    /// obstacles where they are in the step), c = \[d; T u of the step before\], e = Rᵀf, and the slip bounds. Returns fᵀK⁺f.
     fn pose(&mut self, acting: &Acting, previous: &[f64]) -> Result<f64, ModelError> {
         let assembled = &self.assembled;
         let layout = &assembled.layout;
@@ -293,6 +296,7 @@ impl Prepared {
             .map(|(f, u)| dot(f, u))
             .sum();
         let mut b = assembled.relative(&full_displacements(assembled, &free, &acting.prescribed));
+        axpy(1.0, &acting.obstacle_motion, &mut b);
         for (b, pair) in b.iter_mut().zip(assembled.pairs()) {
             *b -= pair.gap;
         }
@@ -335,7 +339,7 @@ impl Prepared {
         };
         let displacements = full_displacements(assembled, &free, &acting.prescribed);
         let lambda = assembled.layout.forces(&solution.lambda);
-        let relative = assembled.relative(&displacements);
+        let relative = acting.relative(assembled, &displacements);
         let contacts = pair_states(
             assembled,
             acting,
@@ -344,18 +348,35 @@ impl Prepared {
             &relative,
             &state.relative,
         );
+        let reactions = (0..model.bodies().len())
+            .map(|body| {
+                nodal_reactions(model, assembled, acting, &displacements, &lambda, body).map_err(
+                    |source| ModelError::Body {
+                        body: model.bodies()[body].name.clone(),
+                        source,
+                    },
+                )
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        let surfaces = (0..model.bodies().len())
+            .map(|body| {
+                let forces = assembled.contact_forces(body, &lambda);
+                SurfaceFields::new(model, assembled, &contacts, &forces, body)
+            })
+            .collect();
         let certificate = certify(
             model,
             assembled,
             &Candidate {
                 lambda: &lambda,
                 displacements: &displacements,
+                reactions: &reactions,
                 previous: &state.relative,
                 acting,
                 dual_objective: solution.objective,
                 load_energy,
             },
-        )?;
+        );
         let motion = solution.motion.as_deref().filter(|_| no_equilibrium);
         let unresisted = motion.map(|v| unresisted(model, assembled, v));
         state.relative = relative;
@@ -370,7 +391,9 @@ impl Prepared {
             name: step.name.clone(),
             solution,
             displacements,
+            reactions,
             contacts,
+            surfaces,
             certificate,
             unresisted,
         })

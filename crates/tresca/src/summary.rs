@@ -8,6 +8,7 @@ use crate::dual::{EngineChoice, FactorWork};
 use crate::floating::UnresistedMotion;
 use crate::model::Model;
 use crate::outcome::{Outcome, PairState, StepOutcome};
+use crate::reactions::{SupportReaction, support_reactions};
 
 /// `summary.json`. Forces, lengths and stresses in the user's units.
 #[derive(Debug, Clone, Serialize)]
@@ -81,6 +82,8 @@ pub struct StepSummary {
     pub contact: ContactSummary,
     /// The force that each contact hands from the slave to the master.
     pub resultants: Vec<ContactResultant>,
+    /// What each support carries.
+    pub reactions: Vec<SupportReaction>,
     /// Independent check of the result.
     pub certificate: Certificate,
     /// With `no_equilibrium`: what moves without resistance.
@@ -100,6 +103,9 @@ pub struct ContactResultant {
     /// Σ (λν ν + λτ) in global components: the force on the master; the slave feels the opposite. In an
     /// axisymmetric model the radial parts of a ring cancel: the first entry is their sum nevertheless.
     pub force: [f64; 3],
+    /// Moment of that force about the origin of the coordinates, the slave points being its points of
+    /// attack.
+    pub moment: [f64; 3],
 }
 
 /// A motion that nothing resists.
@@ -161,6 +167,8 @@ pub struct ContactSummary {
 pub struct TimesSummary {
     /// Stiffness, loads, contact data.
     pub assembly: f64,
+    /// Contact search and coupling, a part of the assembly.
+    pub contact: f64,
     /// Ordering, analysis, factorisation, set-up of the dual operator.
     pub factorization: f64,
     /// The dual problem.
@@ -207,6 +215,7 @@ impl Summary {
                 .collect(),
             times: TimesSummary {
                 assembly: times.assembly,
+                contact: times.contact,
                 factorization: times.factorization,
                 solve: times.solve,
                 recovery: times.recovery,
@@ -266,6 +275,7 @@ impl StepSummary {
                 dissipation: step.dissipation(),
             },
             resultants: resultants(model, step),
+            reactions: support_reactions(model, &step.reactions),
             certificate: step.certificate.clone(),
             unresisted_motion: step.unresisted.as_ref().map(motion),
         }
@@ -282,12 +292,25 @@ fn resultants(model: &Model, step: &StepOutcome) -> Vec<ContactResultant> {
             };
             ContactResultant {
                 slave: model.surface_name(&contact.slave),
-                master: model.surface_name(&contact.master),
+                master: model.partner_name(&contact.master),
                 normal_force_sum: pairs.iter().map(|pair| pair.normal_force).sum(),
                 force: std::array::from_fn(|k| pairs.iter().map(|pair| force(pair)[k]).sum()),
+                moment: std::array::from_fn(|k| {
+                    let arms = pairs
+                        .iter()
+                        .map(|pair| cross(pair.pair.point, force(pair))[k]);
+                    arms.sum()
+                }),
             }
         })
         .collect()
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        a[i] * b[j] - a[j] * b[i]
+    })
 }
 
 fn motion(motion: &UnresistedMotion) -> MotionSummary {

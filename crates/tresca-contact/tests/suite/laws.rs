@@ -36,6 +36,7 @@ fn couple_held(
         mesh: &meshes[k],
         faces: meshes[k].faces_of_set(faces[k]).unwrap(),
         dofs: &dofs[k],
+        taken: &[],
     };
     let interface = Interface {
         friction: &friction,

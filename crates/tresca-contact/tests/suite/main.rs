@@ -4,3 +4,4 @@
 
 mod laws;
 mod node_by_node;
+mod surfaces;

@@ -3,14 +3,8 @@
 //! u_i(x) = a_i(x) b_i(y) c_i(z), smooth and no polynomial, on the unit cube; Dirichlet data on the
 //! whole boundary; body force b = −div σ(u) = −(λ + μ) ∇(div u) − μ Δu.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/fem/convergence.rs
 use crate::common::{perturbed_brick, solve_by_cg};
 use tresca_fem::assembly::Formulation;
-========
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
-use crate::common::{perturbed_brick, solve_by_cg};
->>>>>>>> main:crates/tresca-fem/tests/suite/convergence.rs
 use tresca_fem::loads::body_force;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellKind, Mesh};

@@ -6,14 +6,8 @@
 //! stress is of order p + 1 on quadrilaterals; on triangles at least of order p + ½ (see
 //! [`stress::recover`]).
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/fem/convergence_plane.rs
 use crate::common::{kinds, perturbed_rectangle, solve};
 use tresca_fem::assembly::Formulation;
-========
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
-use crate::common::{perturbed_rectangle, solve};
->>>>>>>> main:crates/tresca-fem/tests/suite/convergence_plane.rs
 use tresca_fem::loads::{body_force, pressure};
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};

@@ -1,10 +1,5 @@
 //! Floating bodies: K K_reg⁻¹ K = K, and K_reg is as well conditioned as a clamped body's K.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/fem/grounding.rs
-========
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
->>>>>>>> main:crates/tresca-fem/tests/suite/grounding.rs
 use crate::common::{dense, perturbed_brick, perturbed_rectangle};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -246,15 +241,25 @@ fn two_parts_are_grounded_apart() {
 
 #[test]
 fn plane_and_axisymmetric_bodies() {
-    for cells in [CellKind::Quad4, CellKind::Tri3] {
+    for cells in [CellKind::Quad4, CellKind::Tri3, CellKind::Quad8] {
+        let nodes = if cells.order() == 2 { [5, 4] } else { [8, 7] };
         for space in [Space::Plane, Space::Axisymmetric] {
-            let mesh = perturbed_rectangle(space, cells, [0.0, 0.0], [8, 7], 0.1);
+            let mesh = perturbed_rectangle(space, cells, [0.0, 0.0], nodes, 0.1);
             let free = Supports::new(mesh.node_count(), 2);
             let contact = mesh.nodes_of_set("y+").unwrap();
             let name = format!("{space} {cells}");
             check(&name, &mesh, &free, &contact, &held_on(&mesh, "y-"));
         }
     }
+}
+
+#[test]
+fn a_body_of_quadratic_tetrahedra() {
+    let mesh = perturbed_brick([4, 3, 3], 0.1);
+    let mesh = mesh.with_cells(CellKind::Tet10).unwrap();
+    let free = Supports::new(mesh.node_count(), 3);
+    let contact = mesh.nodes_of_set("z-").unwrap();
+    check("tet10", &mesh, &free, &contact, &held_on(&mesh, "x-"));
 }
 
 /// A free brick under pressure from all sides: K_reg⁻¹f is an equilibrium, whatever carries C.

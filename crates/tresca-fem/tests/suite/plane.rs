@@ -1,13 +1,7 @@
 //! Plane strain, plane stress and bodies of revolution: the assembled matrix against a naive one, and
 //! states of constant stress, which are exact on any mesh.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/fem/plane.rs
 use crate::common::{dense, kinds, perturbed_rectangle, solve};
-========
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
-use crate::common::{dense, perturbed_rectangle, solve};
->>>>>>>> main:crates/tresca-fem/tests/suite/plane.rs
 use tresca_fem::FemError;
 use tresca_fem::assembly::{Formulation, internal_forces, stiffness};
 use tresca_fem::dofs::DofMap;

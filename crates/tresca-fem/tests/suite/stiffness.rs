@@ -1,14 +1,7 @@
 //! The assembled stiffness against a naive dense assembly, and its invariants.
 
-<<<<<<<< HEAD:crates/tresca-fem/tests/fem/stiffness.rs
 use crate::common::{dense, perturbed_brick};
 use tresca_fem::assembly::{Formulation, internal_forces, reduced_load, stiffness};
-========
-#![allow(clippy::needless_range_loop)] // Components i, j, k as in the formulas.
-
-use crate::common::{dense, perturbed_brick};
-use tresca_fem::assembly::{internal_forces, reduced_load, stiffness};
->>>>>>>> main:crates/tresca-fem/tests/suite/stiffness.rs
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{CellBlock, CellKind, Mesh, RectangleSpec, Space, rectangle};
@@ -198,9 +191,15 @@ fn free_bodies_have_six_zero_energy_modes_and_no_more() {
 
 #[test]
 fn threads_do_not_change_a_bit() {
-    let mesh = perturbed_brick([9, 8, 7], 0.1);
+    for kind in [CellKind::Hex8, CellKind::Tet10] {
+        let mesh = perturbed_brick([7, 6, 5], 0.1);
+        threads_do_not_change(&mesh.with_cells(kind).unwrap());
+    }
+}
+
+fn threads_do_not_change(mesh: &Mesh) {
     let material = Isotropic::new(5e4, 0.35).unwrap();
-    let dofs = DofMap::new(&some_supports(&mesh));
+    let dofs = DofMap::new(&some_supports(mesh));
     let u: Vec<f64> = (0..mesh.dof_count())
         .map(|i| (0.1 * i as f64).sin())
         .collect();
@@ -210,9 +209,9 @@ fn threads_do_not_change_a_bit() {
             .build()
             .unwrap();
         pool.install(|| {
-            let k = stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap();
-            let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
-            let stresses = stress::recover(&mesh, &material, Formulation::Full, &u);
+            let k = stiffness(mesh, &material, Formulation::Full, &dofs).unwrap();
+            let forces = internal_forces(mesh, &material, Formulation::Full, &u).unwrap();
+            let stresses = stress::recover(mesh, &material, Formulation::Full, &u);
             (
                 k.lower().col_ptr().to_vec(),
                 k.lower().row_idx().to_vec(),

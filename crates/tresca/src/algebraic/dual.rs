@@ -245,6 +245,7 @@ pub fn solve_dual(
     outcome.settings = settings.clone();
     outcome.times = Times {
         assembly,
+        contact: 0.0,
         factorization: 0.0,
         solve,
         recovery: begin.elapsed().as_secs_f64(),

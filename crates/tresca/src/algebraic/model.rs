@@ -25,7 +25,7 @@ impl Assembly {
     /// Assembles a load step of a model on its own: the slip before it is zero.
     ///
     /// Displacements that supports prescribe move to the right-hand sides: into f, into the gaps, and (as
-    /// previous slip) into the slip.
+    /// previous slip) into the slip; so does the motion of obstacles.
     ///
     /// # Errors
     /// When the model is wrong.
@@ -60,7 +60,7 @@ impl Assembly {
             .map(|body| vec![0.0; body.dofs.free_len()])
             .collect();
         let held = full_displacements(&assembled, &free, &acting.prescribed);
-        let moved = assembled.relative(&held);
+        let moved = acting.relative(&assembled, &held);
         let gaps = assembled
             .pairs()
             .zip(&moved)

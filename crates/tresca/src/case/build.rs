@@ -2,22 +2,25 @@
 
 use std::sync::Arc;
 
-use tresca_contact::FrictionLaw;
+use tresca_contact::{CouplingMethod, FrictionLaw, Obstacle, RigidSurface};
 use tresca_fem::FemError;
-use tresca_fem::assembly::Formulation;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
 use tresca_io::case::{
-    self, Analysis, Body, CaseError, CaseFile, Coupling, Friction, Partners, Span, Surface,
+    self, Analysis, Body, CaseError, CaseFile, Coupling, Friction, ObstacleShape, Partners, Span,
+    Surface,
 };
 use tresca_qcqp::Settings;
 
 use super::locate;
 use crate::ModelError;
-use crate::model::{Amount, LoadKind, Model, Step, SurfaceRef, VectorField};
+use crate::model::{
+    Amount, ContactSpec, LoadKind, Model, PartnerRef, Step, SurfaceRef, VectorField,
+};
 
-/// The model that a case file describes.
-pub(super) fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
+/// The model that a case file describes, and for each contact of the model the table that it comes from:
+/// one table makes several contacts where bodies are paired by distance.
+pub(super) fn build(file: &CaseFile<Settings>) -> Result<(Model, Vec<usize>), CaseError> {
     let mut model = Model::new(&file.title);
     let builder = Builder { file };
     for body in &file.bodies {
@@ -25,9 +28,10 @@ pub(super) fn build(file: &CaseFile<Settings>) -> Result<Model, CaseError> {
     }
     builder.supports(&mut model)?;
     builder.loads(&mut model)?;
-    builder.contacts(&mut model)?;
-    builder.steps(&mut model)?;
-    Ok(model)
+    builder.obstacles(&mut model)?;
+    let tables = builder.contacts(&mut model)?;
+    builder.steps(&mut model, &tables)?;
+    Ok((model, tables))
 }
 
 struct Builder<'a> {
@@ -44,9 +48,6 @@ impl Builder<'_> {
                         `nodes` per axis; in the plane it is turned about z only";
             fault(body.mesh.span(), error, "this mesh", help)
         })?;
-        if *body.formulation.get_ref() != Formulation::Full {
-            return Err(self.unsupported(body.formulation.span(), "this formulation"));
-        }
         if let Some(map) = &body.map {
             let refuse = |error| {
                 let help = "the map must give finite coordinates, keep a radius at 0 or more, and turn no \
@@ -66,10 +67,12 @@ impl Builder<'_> {
             Analysis::PlaneStress => material.plane_stress(),
             Analysis::Solid | Analysis::PlaneStrain | Analysis::Axisymmetric => material,
         };
-        let located = |error: ModelError| locate(self.file, &error);
+        let located = |error: ModelError| locate(self.file, &[], &error);
         model
             .add_body(body.name.get_ref(), mesh, material)
             .map_err(located)?;
+        let formulation = *body.formulation.get_ref();
+        model.formulation(formulation).map_err(located)?;
         if let Some(density) = &constants.density {
             model.density(*density.get_ref()).map_err(located)?;
         }
@@ -104,12 +107,6 @@ impl Builder<'_> {
         }
     }
 
-    /// Something that a case file may say and the model does not know.
-    fn unsupported(&self, span: Span, what: &str) -> CaseError {
-        let message = format!("{what} is not supported yet");
-        CaseError::semantic(&self.file.source, span, message, "here", "")
-    }
-
     fn reference<'a>(&'a self, surface: &'a Surface) -> SurfaceRef<'a> {
         SurfaceRef {
             body: self.file.bodies[surface.body].name.get_ref(),
@@ -131,11 +128,6 @@ impl Builder<'_> {
     }
 
     fn supports(&self, model: &mut Model) -> Result<(), CaseError> {
-        let supported = self.file.supports.iter().flat_map(|support| &support.on);
-        let held = self.file.clamps.iter().flat_map(|clamp| &clamp.on);
-        if let Some(nodes) = held.chain(supported).find(|on| on.nodes_only) {
-            return Err(self.unsupported(nodes.span.clone(), "a set of nodes"));
-        }
         for surface in self.file.clamps.iter().flat_map(|clamp| &clamp.on) {
             model
                 .clamp(self.reference(surface))
@@ -204,29 +196,91 @@ impl Builder<'_> {
         Ok(())
     }
 
-    fn contacts(&self, model: &mut Model) -> Result<(), CaseError> {
-        for contact in &self.file.contacts {
-            let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
-            let Partners::Surfaces { slave, master } = &contact.partners else {
-                return Err(self.unsupported(contact.span.clone(), "this sort of contact"));
+    fn obstacles(&self, model: &mut Model) -> Result<(), CaseError> {
+        for own in &self.file.obstacles {
+            let shape = match &own.shape {
+                ObstacleShape::Plane { point, normal } => Obstacle::Plane {
+                    point: *point,
+                    normal: *normal,
+                },
+                ObstacleShape::Sphere {
+                    center,
+                    radius,
+                    inside,
+                } => Obstacle::Sphere {
+                    center: *center,
+                    radius: *radius,
+                    inside: *inside,
+                },
+                ObstacleShape::Cylinder {
+                    point,
+                    axis,
+                    radius,
+                    inside,
+                } => Obstacle::Cylinder {
+                    point: *point,
+                    axis: *axis,
+                    radius: *radius,
+                    inside: *inside,
+                },
+                ObstacleShape::Surface(surface) => Obstacle::Surface(RigidSurface {
+                    points: surface.points.clone(),
+                    faces: surface.faces.clone(),
+                }),
             };
-            if contact.coupling == Coupling::Mortar || contact.search.is_some() {
-                return Err(self.unsupported(contact.span.clone(), "this coupling"));
-            }
             model
-                .add_contact_with_gap(
-                    name,
-                    self.reference(slave),
-                    self.reference(master),
-                    law(&contact.friction),
-                    field(contact.gap.get_ref()),
-                )
-                .map_err(self.at(&contact.span))?;
+                .add_obstacle(own.name.get_ref(), shape, own.motion.unwrap_or([0.0; 3]))
+                .map_err(self.at(&own.span))?;
         }
         Ok(())
     }
 
-    fn steps(&self, model: &mut Model) -> Result<(), CaseError> {
+    fn contacts(&self, model: &mut Model) -> Result<Vec<usize>, CaseError> {
+        let mut tables = Vec::new();
+        for (table, contact) in self.file.contacts.iter().enumerate() {
+            let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
+            let friction = law(&contact.friction);
+            let gap = field(contact.gap.get_ref());
+            let coupling = match contact.coupling {
+                Coupling::Auto => CouplingMethod::Auto,
+                Coupling::NodeByNode => CouplingMethod::NodeByNode,
+                Coupling::Mortar => CouplingMethod::Mortar,
+            };
+            let (slave, master) = match &contact.partners {
+                Partners::Surfaces { slave, master } => {
+                    (slave, PartnerRef::Surface(self.reference(master)))
+                }
+                Partners::Obstacle { slave, obstacle } => {
+                    let name = self.file.obstacles[*obstacle].name.get_ref();
+                    (slave, PartnerRef::Obstacle(name))
+                }
+                Partners::Near { distance, bodies } => {
+                    let names = bodies.iter();
+                    let names: Vec<&str> = names
+                        .map(|&body| self.file.bodies[body].name.get_ref().as_str())
+                        .collect();
+                    let count = model
+                        .add_contacts_within(*distance, &names, name, &friction, &gap, coupling)
+                        .map_err(self.at(&contact.span))?;
+                    tables.extend(std::iter::repeat_n(table, count));
+                    continue;
+                }
+            };
+            let spec = ContactSpec {
+                name,
+                gap,
+                coupling,
+                search: contact.search,
+                ..ContactSpec::new(self.reference(slave), master, friction)
+            };
+            model.add_contact_as(spec).map_err(self.at(&contact.span))?;
+            tables.push(table);
+        }
+        Ok(tables)
+    }
+
+    /// `tables`: the table of each contact of the model.
+    fn steps(&self, model: &mut Model, tables: &[usize]) -> Result<(), CaseError> {
         let clamped: usize = self.file.clamps.iter().map(|clamp| clamp.on.len()).sum();
         for step in &self.file.steps {
             let amounts = &step.amounts;
@@ -251,11 +305,15 @@ impl Builder<'_> {
                     .chain(pressures)
                     .chain(vectors.copied().map(same))
                     .collect(),
-                bounds: amounts.bounds.iter().copied().map(same).collect(),
+                obstacles: amounts.motions.iter().map(|&v| Amount::Value(v)).collect(),
+                bounds: tables
+                    .iter()
+                    .map(|&table| same(amounts.bounds[table]))
+                    .collect(),
             };
             model
                 .add_step(step)
-                .map_err(|error| locate(self.file, &error))?;
+                .map_err(|error| locate(self.file, &[], &error))?;
         }
         Ok(())
     }

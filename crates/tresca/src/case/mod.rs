@@ -16,6 +16,8 @@ use build::build;
 #[derive(Debug)]
 pub struct Case {
     file: CaseFile<Settings>,
+    /// The `[[contact]]` table of each contact of the model.
+    tables: Vec<usize>,
     /// The model.
     pub model: Model,
 }
@@ -46,13 +48,17 @@ impl Case {
         if let Err(error) = file.solver.validate() {
             return Err(setting_error(&file, &error));
         }
-        let model = build(&file)?;
-        Ok(Self { file, model })
+        let (model, tables) = build(&file)?;
+        Ok(Self {
+            file,
+            tables,
+            model,
+        })
     }
 
     /// Points an error of the model at the place in the case file that it speaks of.
     pub fn locate(&self, error: &ModelError) -> CaseError {
-        locate(&self.file, error)
+        locate(&self.file, &self.tables, error)
     }
 }
 
@@ -74,7 +80,7 @@ fn setting_error(file: &CaseFile<Settings>, error: &QcqpError) -> CaseError {
     )
 }
 
-fn locate(file: &CaseFile<Settings>, error: &ModelError) -> CaseError {
+fn locate(file: &CaseFile<Settings>, tables: &[usize], error: &ModelError) -> CaseError {
     let body_name = |name: &str| {
         file.bodies
             .iter()
@@ -95,7 +101,7 @@ fn locate(file: &CaseFile<Settings>, error: &ModelError) -> CaseError {
         } => {
             let (label, help) = coupling_hints(source);
             (
-                file.contacts[*contact].span.clone(),
+                file.contacts[tables[*contact]].span.clone(),
                 label.to_owned(),
                 help.to_owned(),
             )
@@ -128,8 +134,8 @@ fn coupling_hints(source: &ContactError) -> (&'static str, &'static str) {
         | ContactError::NoPartner { .. }
         | ContactError::SharedPartner { .. } => (
             "the nodes of the two surfaces must lie on one another",
-            "give both surfaces the same extent and the same number of nodes; surfaces that are \
-             meshed apart are not supported yet",
+            "give both surfaces the same nodes, or leave `coupling` out: surfaces that are meshed apart are \
+             coupled by mortar",
         ),
         ContactError::SlipBound { .. } => (
             "its slip bound is impossible somewhere on the slave surface",

@@ -7,7 +7,7 @@ use tresca_contact::Field;
 
 use super::Surface;
 
-/// Prescribed displacements of surfaces, component by component.
+/// Prescribed displacements of surfaces or sets of nodes, component by component.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Support {
     /// How load steps call it.
@@ -99,6 +99,8 @@ pub struct Step {
     pub supports: Vec<Amount<[Option<f64>; 3]>>,
     /// One per load; a pressure's new value stands in the first entry.
     pub loads: Vec<Amount<[f64; 3]>>,
+    /// One per obstacle: its motion.
+    pub obstacles: Vec<Amount<[f64; 3]>>,
     /// One per contact; for the slip bounds of laws that have any.
     pub bounds: Vec<Amount<f64>>,
 }

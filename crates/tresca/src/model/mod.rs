@@ -1,10 +1,13 @@
 //! The mechanical model: bodies, supports, loads and contacts, by name, and the load steps.
 
+mod contact;
 mod load;
 
+pub use contact::{Contact, ContactSpec, Obstacle, Partner, PartnerRef};
 pub use load::{Amount, Load, LoadKind, Step, Support, VectorField};
 
-use tresca_contact::{Field, FrictionLaw};
+use tresca_contact::{CouplingMethod, Field, FrictionLaw, facing_surfaces};
+use tresca_fem::assembly::Formulation;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{Face, Mesh, Space};
 
@@ -19,6 +22,8 @@ pub struct Body {
     pub mesh: Mesh,
     /// Linear elastic, isotropic.
     pub material: Isotropic,
+    /// How strains are integrated: in full, or with a remedy against locking.
+    pub formulation: Formulation,
     /// Mass per volume, for gravity.
     pub density: Option<f64>,
 }
@@ -32,28 +37,13 @@ pub struct SurfaceRef<'a> {
     pub faces: &'a str,
 }
 
-/// A surface of the model, resolved.
+/// A surface of the model, resolved; of a support also a set of nodes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Surface {
     /// Index of the body in [`Model::bodies`].
     pub body: usize,
-    /// Name of the face set.
+    /// Name of the face set (or node set).
     pub faces: String,
-}
-
-/// Two surfaces that may touch, and how they rub.
-#[derive(Debug, Clone)]
-pub struct Contact {
-    /// How load steps call it.
-    pub name: Option<String>,
-    /// The slave surface; contact normals point out of it.
-    pub slave: Surface,
-    /// The master surface.
-    pub master: Surface,
-    /// The friction law.
-    pub friction: FrictionLaw,
-    /// Added to the gap between the meshes (a length); negative for an interference.
-    pub gap: Field,
 }
 
 /// Bodies with supports, loads, contacts and load steps, every name resolved.
@@ -66,6 +56,7 @@ pub struct Model {
     bodies: Vec<Body>,
     supports: Vec<Support>,
     loads: Vec<Load>,
+    obstacles: Vec<Obstacle>,
     contacts: Vec<Contact>,
     steps: Vec<Step>,
 }
@@ -91,9 +82,7 @@ impl Model {
         material: Isotropic,
     ) -> Result<&mut Self, ModelError> {
         let name = name.into();
-        if self.bodies.iter().any(|body| body.name == name) {
-            return Err(ModelError::DuplicateBody { name });
-        }
+        self.check_new_name(&name)?;
         if let Some(first) = self.bodies.first()
             && first.mesh.space != mesh.space
         {
@@ -106,8 +95,31 @@ impl Model {
             name,
             mesh,
             material,
+            formulation: Formulation::default(),
             density: None,
         });
+        Ok(self)
+    }
+
+    fn check_new_name(&self, name: &str) -> Result<(), ModelError> {
+        let bodies = self.bodies.iter().map(|body| &body.name);
+        let obstacles = self.obstacles.iter().map(|obstacle| &obstacle.name);
+        match bodies.chain(obstacles).any(|taken| taken == name) {
+            true => Err(ModelError::DuplicateBody {
+                name: name.to_owned(),
+            }),
+            false => Ok(()),
+        }
+    }
+
+    /// Gives the body added last a formulation.
+    ///
+    /// # Errors
+    /// [`ModelError::NoBodies`] when there is no body; a formulation that the body's elements do not have
+    /// is found when it is assembled.
+    pub fn formulation(&mut self, formulation: Formulation) -> Result<&mut Self, ModelError> {
+        let body = self.bodies.last_mut().ok_or(ModelError::NoBodies)?;
+        body.formulation = formulation;
         Ok(self)
     }
 
@@ -137,10 +149,10 @@ impl Model {
         self.support(None, &[on], components)
     }
 
-    /// Prescribes displacement components of surfaces: 0 for a symmetry plane or a roller.
+    /// Prescribes displacement components of surfaces or sets of nodes: 0 for a symmetry plane or a roller.
     ///
     /// # Errors
-    /// When a surface does not exist, or a displacement is not finite or along z in the plane.
+    /// When one of them does not exist, or a displacement is not finite or along z in the plane.
     pub fn support(
         &mut self,
         name: Option<&str>,
@@ -151,9 +163,10 @@ impl Model {
         if self.dimension() == 2 && components[2].is_some() {
             return Err(ModelError::OutOfPlane);
         }
+        let on = on.iter().map(|&place| self.resolve_nodes(place));
         let support = Support {
             name: name.map(str::to_owned),
-            on: self.resolve_all(on)?,
+            on: on.collect::<Result<_, _>>()?,
             components,
         };
         self.supports.push(support);
@@ -215,49 +228,139 @@ impl Model {
         Ok(self)
     }
 
-    /// Lets two surfaces of different bodies touch.
+    /// Adds a rigid obstacle that bodies may touch.
     ///
     /// # Errors
-    /// When a surface does not exist, both lie on one body, or the law has impossible figures.
-    pub fn add_contact(
+    /// When the name is taken, or its motion is not finite or leaves the plane.
+    pub fn add_obstacle(
         &mut self,
-        slave: SurfaceRef<'_>,
-        master: SurfaceRef<'_>,
-        friction: FrictionLaw,
+        name: impl Into<String>,
+        shape: tresca_contact::Obstacle,
+        motion: [f64; 3],
     ) -> Result<&mut Self, ModelError> {
-        self.add_contact_with_gap(None, slave, master, friction, Field::Constant(0.0))
+        let name = name.into();
+        self.check_new_name(&name)?;
+        self.check_components(&motion)?;
+        self.obstacles.push(Obstacle {
+            name,
+            shape,
+            motion,
+        });
+        Ok(self)
     }
 
-    /// The same, with a name for load steps and something added to the gap between the meshes.
+    /// Lets a surface touch that of another body, or an obstacle.
     ///
     /// # Errors
-    /// As [`Model::add_contact`].
-    pub fn add_contact_with_gap(
+    /// As [`Model::add_contact_as`].
+    pub fn add_contact<'a>(
         &mut self,
-        name: Option<&str>,
-        slave: SurfaceRef<'_>,
-        master: SurfaceRef<'_>,
+        slave: SurfaceRef<'a>,
+        master: impl Into<PartnerRef<'a>>,
         friction: FrictionLaw,
-        gap: Field,
     ) -> Result<&mut Self, ModelError> {
-        friction.validate()?;
-        if self.dimension() == 2 && matches!(friction, FrictionLaw::Orthotropic { .. }) {
+        self.add_contact_as(ContactSpec::new(slave, master, friction))
+    }
+
+    /// The same with everything that may be said of a contact.
+    ///
+    /// # Errors
+    /// When a surface or the obstacle does not exist, both sides lie on one body, or the law has
+    /// impossible figures.
+    pub fn add_contact_as(&mut self, spec: ContactSpec<'_>) -> Result<&mut Self, ModelError> {
+        spec.friction.validate()?;
+        if self.dimension() == 2 && matches!(spec.friction, FrictionLaw::Orthotropic { .. }) {
             return Err(ModelError::OrthotropicInThePlane);
         }
-        let (slave, master) = (self.resolve(slave)?, self.resolve(master)?);
-        if slave.body == master.body {
+        let slave = self.resolve(spec.slave)?;
+        let master = match spec.master {
+            PartnerRef::Surface(surface) => Partner::Surface(self.resolve(surface)?),
+            PartnerRef::Obstacle(name) => Partner::Obstacle(self.obstacle(name)?),
+        };
+        if master
+            .surface()
+            .is_some_and(|master| master.body == slave.body)
+        {
             return Err(ModelError::SelfContact {
                 body: self.bodies[slave.body].name.clone(),
             });
         }
         self.contacts.push(Contact {
-            name: name.map(str::to_owned),
+            name: spec.name.map(str::to_owned),
             slave,
             master,
-            friction,
-            gap,
+            friction: spec.friction,
+            gap: spec.gap,
+            coupling: spec.coupling,
+            search: spec.search,
         });
         Ok(self)
+    }
+
+    /// Lets the exterior surfaces of bodies touch where they face one another within a distance (a length):
+    /// one contact for each two of the named bodies (of all without names) that come so close. The
+    /// faces become face sets of the two bodies, each named `near` and the other body's name with a colon
+    /// between; the body added first is the slave. Returns the number of contacts.
+    ///
+    /// # Errors
+    /// When a body does not exist, no two bodies come so close, or as [`Model::add_contact_as`].
+    pub fn add_contacts_within(
+        &mut self,
+        distance: f64,
+        bodies: &[&str],
+        name: Option<&str>,
+        friction: &FrictionLaw,
+        gap: &Field,
+        coupling: CouplingMethod,
+    ) -> Result<usize, ModelError> {
+        let chosen: Vec<usize> = if bodies.is_empty() {
+            (0..self.bodies.len()).collect()
+        } else {
+            let mut chosen = bodies
+                .iter()
+                .map(|name| self.body(name))
+                .collect::<Result<Vec<_>, _>>()?;
+            chosen.sort_unstable();
+            chosen.dedup();
+            chosen
+        };
+        let mut found = Vec::new();
+        for (k, &slave) in chosen.iter().enumerate() {
+            for &master in &chosen[k + 1..] {
+                let meshes = [slave, master].map(|body| &self.bodies[body].mesh);
+                let faces = facing_surfaces(meshes[0], meshes[1], distance)?;
+                if !faces.0.is_empty() {
+                    found.push(([slave, master], faces));
+                }
+            }
+        }
+        if found.is_empty() {
+            return Err(ModelError::NothingWithin { distance });
+        }
+        let count = found.len();
+        for ([slave, master], (slave_faces, master_faces)) in found {
+            let set_name = |other: usize| format!("near:{}", self.bodies[other].name);
+            let names = [set_name(master), set_name(slave)];
+            for (body, (name, faces)) in [slave, master]
+                .into_iter()
+                .zip(names.iter().zip([slave_faces, master_faces]))
+            {
+                self.bodies[body].mesh.face_sets.insert(name.clone(), faces);
+            }
+            let body_names = [slave, master].map(|body| self.bodies[body].name.clone());
+            let [slave, master] = std::array::from_fn(|side| SurfaceRef {
+                body: &body_names[side],
+                faces: &names[side],
+            });
+            self.add_contact_as(ContactSpec {
+                name,
+                gap: gap.clone(),
+                coupling,
+                search: Some(distance),
+                ..ContactSpec::new(slave, master, friction.clone())
+            })?;
+        }
+        Ok(count)
     }
 
     /// Adds a load step. Without any, the model is solved once as it stands.
@@ -271,6 +374,7 @@ impl Model {
         for (what, found, expected) in [
             ("supports", step.supports.len(), self.supports.len()),
             ("loads", step.loads.len(), self.loads.len()),
+            ("obstacles", step.obstacles.len(), self.obstacles.len()),
             ("contacts", step.bounds.len(), self.contacts.len()),
         ] {
             if found != expected {
@@ -298,7 +402,8 @@ impl Model {
             Amount::Factor(factor) => Amount::Factor(factor),
             Amount::Value(value) => Amount::Value(value.map(|x| x.unwrap_or(0.0))),
         });
-        if !(step.loads.iter().all(finite) && supports.clone().all(|amount| finite(&amount))) {
+        let vectors = step.loads.iter().chain(&step.obstacles).copied();
+        if !vectors.chain(supports).all(|amount| finite(&amount)) {
             return refuse("a factor or a value is not a finite number".into());
         }
         for (contact, amount) in self.contacts.iter().zip(&step.bounds) {
@@ -331,6 +436,7 @@ impl Model {
             name: None,
             supports: vec![Amount::Factor(1.0); self.supports.len()],
             loads: vec![Amount::Factor(1.0); self.loads.len()],
+            obstacles: vec![Amount::Factor(1.0); self.obstacles.len()],
             bounds: vec![Amount::Factor(1.0); self.contacts.len()],
         }
     }
@@ -354,25 +460,60 @@ impl Model {
     /// # Errors
     /// When the body or the face set does not exist.
     pub fn resolve(&self, surface: SurfaceRef<'_>) -> Result<Surface, ModelError> {
-        let body = self
-            .bodies
-            .iter()
-            .position(|body| body.name == surface.body)
-            .ok_or_else(|| ModelError::UnknownBody {
-                name: surface.body.to_owned(),
-                known: self.bodies.iter().map(|body| body.name.clone()).collect(),
-            })?;
-        let sets = &self.bodies[body].mesh.face_sets;
-        if !sets.contains_key(surface.faces) {
+        self.resolve_among(surface, |mesh| mesh.face_sets.keys().collect())
+    }
+
+    /// The surface or the set of nodes of that name.
+    ///
+    /// # Errors
+    /// When the body or the set does not exist.
+    pub fn resolve_nodes(&self, place: SurfaceRef<'_>) -> Result<Surface, ModelError> {
+        self.resolve_among(place, |mesh| {
+            mesh.face_sets.keys().chain(mesh.node_sets.keys()).collect()
+        })
+    }
+
+    fn resolve_among(
+        &self,
+        place: SurfaceRef<'_>,
+        known: impl Fn(&Mesh) -> Vec<&String>,
+    ) -> Result<Surface, ModelError> {
+        let body = self.body(place.body)?;
+        let known = known(&self.bodies[body].mesh);
+        if !known.iter().any(|name| *name == place.faces) {
             return Err(ModelError::UnknownSurface {
-                body: surface.body.to_owned(),
-                faces: surface.faces.to_owned(),
-                known: sets.keys().cloned().collect(),
+                body: place.body.to_owned(),
+                faces: place.faces.to_owned(),
+                known: known.into_iter().cloned().collect(),
             });
         }
         Ok(Surface {
             body,
-            faces: surface.faces.to_owned(),
+            faces: place.faces.to_owned(),
+        })
+    }
+
+    /// The index of a body.
+    ///
+    /// # Errors
+    /// When it does not exist.
+    pub fn body(&self, name: &str) -> Result<usize, ModelError> {
+        let index = self.bodies.iter().position(|body| body.name == name);
+        index.ok_or_else(|| ModelError::UnknownBody {
+            name: name.to_owned(),
+            known: self.bodies.iter().map(|body| body.name.clone()).collect(),
+        })
+    }
+
+    /// The index of an obstacle.
+    ///
+    /// # Errors
+    /// When it does not exist.
+    pub fn obstacle(&self, name: &str) -> Result<usize, ModelError> {
+        let index = self.obstacles.iter().position(|own| own.name == name);
+        index.ok_or_else(|| ModelError::UnknownObstacle {
+            name: name.to_owned(),
+            known: self.obstacles.iter().map(|own| own.name.clone()).collect(),
         })
     }
 
@@ -413,6 +554,11 @@ impl Model {
         &self.steps
     }
 
+    /// The obstacles.
+    pub fn obstacles(&self) -> &[Obstacle] {
+        &self.obstacles
+    }
+
     /// The contacts.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
@@ -421,6 +567,23 @@ impl Model {
     /// The faces of a surface.
     pub fn faces(&self, surface: &Surface) -> &[Face] {
         &self.bodies[surface.body].mesh.face_sets[&surface.faces]
+    }
+
+    /// The nodes of a surface or of a set of nodes, ascending.
+    pub fn nodes(&self, place: &Surface) -> Vec<usize> {
+        let mesh = &self.bodies[place.body].mesh;
+        match mesh.face_sets.get(&place.faces) {
+            Some(faces) => mesh.nodes_of_faces(faces),
+            None => mesh.node_sets[&place.faces].clone(),
+        }
+    }
+
+    /// The master surface as `body.faces`, or the obstacle's name.
+    pub fn partner_name(&self, partner: &Partner) -> String {
+        match partner {
+            Partner::Surface(surface) => self.surface_name(surface),
+            Partner::Obstacle(obstacle) => self.obstacles[*obstacle].name.clone(),
+        }
     }
 
     /// The surface as `body.faces`.

@@ -23,7 +23,7 @@ fn the_benchmark_case_is_the_benchmark_model() {
         let contacts = model.contacts().iter();
         contacts
             .map(|c| {
-                let sides = [&c.slave, &c.master].map(|side| model.surface_name(side));
+                let sides = [model.surface_name(&c.slave), model.partner_name(&c.master)];
                 format!("{sides:?} {:?} {:?}", c.friction, c.gap)
             })
             .collect()

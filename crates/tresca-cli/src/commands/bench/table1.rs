@@ -203,7 +203,11 @@ fn whole_solve(
     Ok((prepared, outcome, begin.elapsed().as_secs_f64()))
 }
 
-fn again(prepared: &mut Prepared, model: &Model, settings: &Settings) -> miette::Result<Outcome> {
+pub(super) fn again(
+    prepared: &mut Prepared,
+    model: &Model,
+    settings: &Settings,
+) -> miette::Result<Outcome> {
     match prepared
         .solve(model, settings, &mut Silent)
         .into_diagnostic()?
@@ -238,7 +242,7 @@ fn print_row(outcome: &Outcome, published: Option<(usize, usize)>) -> bool {
     converged
 }
 
-fn print_cost(outcome: &Outcome, whole: f64, linear: &LinearSolve, peak: Option<u64>) {
+pub(super) fn print_cost(outcome: &Outcome, whole: f64, linear: &LinearSolve, peak: Option<u64>) {
     let times = &outcome.times;
     let work = &outcome.description.factorization;
     println!(

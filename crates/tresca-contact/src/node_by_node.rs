@@ -1,0 +1,71 @@
+//! Coupling of surfaces whose nodes lie on one another.
+
+use crate::frame::dot;
+use crate::pair::{Location, coupling, pair};
+use crate::pairing::pair_node_by_node;
+use crate::{ContactData, ContactError, ContactSurface, Discretization, Field, Interface, Side};
+
+/// Couples two surfaces whose nodes lie on one another: a pair for each two nodes, with B = ±1 in its
+/// frame.
+///
+/// For linear faces only: on quadratic ones the areas ∫ φ_i of corner nodes are zero or negative.
+///
+/// # Errors
+/// [`ContactError`] when a slave node has no master node at its place, a face is quadratic, a surface has
+/// no normal somewhere, or the friction law or the gap gives no possible value.
+pub fn couple_node_by_node(
+    slave: Side<'_>,
+    master: Side<'_>,
+    interface: Interface<'_>,
+) -> Result<ContactData, ContactError> {
+    for &face in slave.faces {
+        let kind = slave.mesh.face_kind(face);
+        if kind.order() > 1 {
+            return Err(ContactError::QuadraticFaces { kind });
+        }
+    }
+    let slave_surface = ContactSurface::new(slave.mesh, slave.faces)?;
+    let master_surface = ContactSurface::new(master.mesh, master.faces)?;
+    let partners = pair_node_by_node(&slave_surface, &master_surface)?;
+
+    let count = slave_surface.nodes.len();
+    let mut pairs = Vec::with_capacity(count);
+    let mut nodes = [Vec::with_capacity(count), Vec::with_capacity(count)];
+    let mut held_pairs = 0;
+    for (index, (node, &partner)) in slave_surface.nodes.iter().zip(&partners).enumerate() {
+        let partner = &master_surface.nodes[partner];
+        let free = std::array::from_fn(|component| {
+            component < slave.mesh.dimension()
+                && (slave.dofs.free(node.node, component).is_some()
+                    || master.dofs.free(partner.node, component).is_some())
+        });
+        if free == [false; 3] {
+            held_pairs += 1;
+            continue;
+        }
+        let value = |field: &Field| field.at(index, count, node.point);
+        let offset = std::array::from_fn(|k| partner.point[k] - node.point[k]);
+        let location = Location {
+            slave_node: node.node,
+            master_node: Some(partner.node),
+            point: node.point,
+            normal: node.normal,
+            area: node.area,
+        };
+        let gap = |normal| dot(normal, offset);
+        pairs.push(pair(location, free, interface, value, gap)?);
+        nodes[0].push([(node.node, 1.0)]);
+        nodes[1].push([(partner.node, 1.0)]);
+    }
+    let slave_coupling = coupling(&pairs, slave.mesh, 1.0, |i| nodes[0][i].as_slice());
+    let master_coupling = coupling(&pairs, master.mesh, -1.0, |i| nodes[1][i].as_slice());
+    Ok(ContactData {
+        overlap_area: slave_surface.nodes.iter().map(|node| node.area).sum(),
+        pairs,
+        slave_coupling,
+        master_coupling: Some(master_coupling),
+        discretization: Discretization::NodeByNode,
+        uncoupled: Vec::new(),
+        held_pairs,
+    })
+}

@@ -1,0 +1,12 @@
+//! Surfaces that do not match, and obstacles, against closed forms.
+
+// Rates are printed for whoever asks (--nocapture).
+#![allow(clippy::print_stdout)]
+
+mod curved;
+mod facing;
+mod flat;
+mod obstacles;
+mod plane;
+mod support;
+mod supported;
