@@ -43,8 +43,8 @@ Physical Surface("y0") = {cut_y()};
 Physical Surface("round") = {shaft()};
 Physical Surface("bore") = {bore()};
 
-MeshSize{ PointsOf{ Volume{20}; } } = 4.5/size;
-MeshSize{ PointsOf{ Volume{hub(1)}; } } = 4/size;
+MeshSize{ PointsOf{ Volume{20}; } } = 5/size;
+MeshSize{ PointsOf{ Volume{hub(1)}; } } = 3.5/size;
 Mesh.Algorithm = 8;
 Mesh.RecombinationAlgorithm = 1;
 Mesh.ElementOrder = 2;
