@@ -1,11 +1,12 @@
 //! Bodies: their names, meshes and materials.
 
 use toml::Spanned;
+use tresca_fem::assembly::Formulation;
 
 use super::check::{Check, fault_of_name};
 use super::error::{CaseError, FaultKind};
 use super::fields::VectorField;
-use super::keys::{BodyKeys, Formulation, Material};
+use super::keys::{BodyKeys, Material};
 use super::mesh::Mesh;
 use crate::mesh::Placement;
 
@@ -22,7 +23,8 @@ pub struct Body {
     pub map: Option<VectorField>,
     /// What the body is made of.
     pub material: Spanned<Material>,
-    /// How its stiffness is integrated.
+    /// How strains are made of displacements. Whether it suits the cells and the material is for the
+    /// caller to check; the place is that of the material where the key is not given.
     pub formulation: Spanned<Formulation>,
 }
 
@@ -75,10 +77,10 @@ impl Check<'_> {
                 mesh,
                 placement,
                 map,
-                formulation: keys.formulation.unwrap_or_else(|| {
-                    let span = keys.material.span();
-                    Spanned::new(span, Formulation::default())
-                }),
+                formulation: match keys.formulation {
+                    Some(word) => Spanned::new(word.span(), word.into_inner().into()),
+                    None => Spanned::new(keys.material.span(), Formulation::default()),
+                },
                 material: keys.material,
             });
         }

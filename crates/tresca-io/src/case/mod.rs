@@ -40,6 +40,7 @@ mod loading;
 mod loads;
 mod mesh;
 mod obstacle;
+mod placement;
 mod precheck;
 mod samples;
 mod source;
@@ -62,9 +63,7 @@ pub use entries::{Components, Pair, Triple};
 pub use error::{CaseError, Fault, FaultKind};
 pub use fields::{Field, VectorField};
 pub use friction::{Friction, LAWS};
-pub use keys::{
-    Analysis, Brick, BrickCells, Coupling, Formulation, Material, PlaneCells, Rectangle,
-};
+pub use keys::{Analysis, Brick, BrickCells, Coupling, Material, PlaneCells, Rectangle};
 pub use loads::{BodyForce, Clamp, Gravity, Pressure, Support, Traction};
 pub use mesh::{FileMesh, Mesh};
 pub use obstacle::{Obstacle, ObstacleShape};
@@ -73,6 +72,7 @@ pub use source::{CaseSource, Span};
 pub use steps::{MAX_INCREMENTS, Step};
 pub use surface::Surface;
 pub use toml::Spanned;
+pub use tresca_fem::assembly::Formulation;
 pub use values::MAX_NODES;
 
 /// A case file whose names are resolved and whose values are possible. `S` holds the solver's

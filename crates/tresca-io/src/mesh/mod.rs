@@ -13,7 +13,7 @@
 //! ";
 //! let file = parse("plate.inp", deck.as_bytes())?;
 //! let body = file.body(Space::Plane, Some("plate"), &Placement::default())?;
-//! assert_eq!(body.mesh.volume(), 2.0);
+//! assert!((body.mesh.volume() - 2.0).abs() < 1e-14);
 //! assert_eq!(body.mesh.nodes_of_set("left")?, [0, 3]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -12,6 +12,13 @@ pub(super) enum Numbering {
     Map(HashMap<u64, u32>),
 }
 
+impl Default for Numbering {
+    /// Without numbers.
+    fn default() -> Self {
+        Self::Map(HashMap::new())
+    }
+}
+
 impl Numbering {
     /// Of numbers by index.
     ///

@@ -5,6 +5,11 @@
 //! definite (see `reduced`), so one preconditioned CG per step suffices, and
 //! convergence is superlinear. The step counts only if it does not raise q above
 //! q(x); x itself has the guarantee of GIMSSN: globally R-linear.
+//!
+//! Where a few soft motions (bending of plates) govern A, ρ < 2/σmax moves x next to nothing, its active
+//! set says little, and the Newton point may leave Λ so far that its projection raises q. Then the blocks that
+//! left are bound where they left, and the smaller system is solved: pivoting by blocks, until the projected
+//! point counts.
 
 use super::inner::{Move, conjugate_gradients, direct};
 use super::memory::NewtonMemory;
@@ -12,10 +17,12 @@ use super::preconditioner::Preconditioner;
 use super::run::Step;
 use super::{Point, Run};
 use crate::reduced::ReducedSpace;
-use crate::sets::ProductSet;
+use crate::sets::{BlockState, ProductSet};
 use crate::{ActiveSet, Status};
 use tresca_la::vector::norm;
 
+/// Times that blocks which left Λ are bound and the system is solved again, in one step.
+const MAX_PIVOTS: usize = 30;
 /// Halvings of the Newton step before the projected gradient step is made.
 const MAX_HALVINGS: usize = 3;
 /// Part of the last reduction of the reduced gradient that the next inner system is solved to.
@@ -34,34 +41,92 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
         }
         run.follow_coulomb(&lambda);
         let (x, active) = projected_gradient_point(run, &lambda);
-        let space = tangent_space(&run.set, &active, &x);
-        let mut newton = x.clone();
-        let inner = if direct(run, &space, &mut newton) {
-            1
-        } else {
+        let tolerance = forcing(run, previous) * run.relative * run.reference;
+        previous = run.relative;
+        let mut inner = 0;
+        let mut newton_from = |run: &mut Run, base: &Point, active: &ActiveSet| {
+            let space = tangent_space(&run.set, active, base);
+            let mut newton = base.clone();
+            if direct(run, &space, &mut newton) {
+                inner += 1;
+                return newton;
+            }
             let mut preconditioner = Preconditioner::new(&space, model, recycled);
-            let tolerance = forcing(run, previous) * run.relative * run.reference;
             let keep = |_: &Point, step: &Move| {
                 recycled.offer(step.direction, step.product);
                 true
             };
-            conjugate_gradients(
+            inner += conjugate_gradients(
                 run,
                 &space,
                 &mut preconditioner,
                 &mut newton,
                 tolerance,
                 keep,
-            )
+            );
+            newton
         };
-        previous = run.relative;
-        let (next, length) = search(run, &lambda, x, &newton);
+        let newton = newton_from(run, &x, &active);
+        let (next, length) = match pivot(run, &lambda, &x, active, &newton, &mut newton_from) {
+            Some(point) => (point, 1.0),
+            None => search(run, &lambda, x, &newton),
+        };
         lambda = next;
         step = Step {
             inner_iterations: inner,
             length,
         };
     }
+}
+
+/// The projection of the Newton point, if it does not raise q above q(x); else that of the Newton point of a
+/// smaller space, which takes the blocks that left Λ as bound where they left. `None` when none of them will do.
+fn pivot(
+    run: &mut Run,
+    lambda: &Point,
+    x: &Point,
+    mut active: ActiveSet,
+    newton: &Point,
+    newton_from: &mut impl FnMut(&mut Run, &Point, &ActiveSet) -> Point,
+) -> Option<Point> {
+    let mut newton = newton.clone();
+    let mut base = x.clone();
+    for _ in 0..=MAX_PIVOTS {
+        let trial = run.projected(&newton);
+        if trial.objective_change_from(x) <= rounding(run, lambda, &trial) {
+            return Some(trial);
+        }
+        let (smaller, bound) = without_those_that_left(&run.set, &active, &base, &newton, &trial)?;
+        active = smaller;
+        base = run.point_unless(bound, &base);
+        newton = newton_from(run, &base, &active);
+    }
+    None
+}
+
+/// The active set without the free blocks that are outside of their sets at the Newton point, and the base point
+/// with these blocks where the projection puts them. `None` when there is no such block.
+fn without_those_that_left(
+    set: &ProductSet,
+    active: &ActiveSet,
+    base: &Point,
+    newton: &Point,
+    projected: &Point,
+) -> Option<(ActiveSet, Vec<f64>)> {
+    let mut states = active.states().to_vec();
+    let mut bound = base.lambda.clone();
+    let mut left = false;
+    for (block, state) in set.blocks().iter().zip(&mut states) {
+        let range = block.range();
+        if *state == BlockState::Free
+            && newton.lambda[range.clone()] != projected.lambda[range.clone()]
+        {
+            *state = BlockState::Bound;
+            bound[range.clone()].copy_from_slice(&projected.lambda[range]);
+            left = true;
+        }
+    }
+    left.then(|| (ActiveSet::new(set.blocks(), states), bound))
 }
 
 /// x = P_Λ(y) and the active set at y = λ − ρ r(λ).
@@ -124,11 +189,11 @@ fn forcing(run: &Run, previous: f64) -> f64 {
     wanted.max(OVERSOLVING * run.tolerance / run.relative)
 }
 
-/// The first of P_Λ(x + α(newton − x)), α = 1, ½, …, that does not raise q above
+/// The first of P_Λ(x + α(newton − x)), α = ½, ¼, …, that does not raise q above
 /// q(x), with its α; else x, with α = 0.
 fn search(run: &mut Run, lambda: &Point, x: Point, newton: &Point) -> (Point, f64) {
-    let mut alpha = 1.0;
-    for _ in 0..=MAX_HALVINGS {
+    let mut alpha = 0.5;
+    for _ in 0..MAX_HALVINGS {
         let trial = run.projected(&blend(&x, newton, alpha));
         if trial.objective_change_from(&x) <= rounding(run, lambda, &trial) {
             return (trial, alpha);
@@ -140,9 +205,6 @@ fn search(run: &mut Run, lambda: &Point, x: Point, newton: &Point) -> (Point, f6
 
 /// x + α (newton − x), gradient included.
 fn blend(x: &Point, newton: &Point, alpha: f64) -> Point {
-    if alpha == 1.0 {
-        return newton.clone();
-    }
     let mix = |x: &[f64], newton: &[f64]| {
         x.iter()
             .zip(newton)

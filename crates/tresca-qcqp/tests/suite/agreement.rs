@@ -81,6 +81,61 @@ fn global_methods_solve_ill_conditioned_problems_from_any_start() {
     }
 }
 
+/// A cantilever pressed on a foundation that it lifts off from: one soft bending motion governs σmax, local
+/// compliances are a million times smaller, and a projected gradient step moves next to nothing.
+#[test]
+fn bending_does_not_stop_the_default_method() {
+    let count = 120;
+    let place = |i: usize| (i + 1) as f64 / count as f64;
+    // Deflection at x of a unit force at ξ: x²(3ξ − x)/6EI for x ≤ ξ (EI = 1).
+    let deflection = |i: usize, j: usize| {
+        let (x, xi) = (place(i.min(j)), place(i.max(j)));
+        x * x * (3.0 * xi - x) / 6.0
+    };
+    let entry = |i, j| deflection(i, j) + if i == j { 1e-6 } else { 0.0 };
+    let a: Vec<Vec<f64>> = (0..count)
+        .map(|i| (0..count).map(|j| entry(i, j)).collect())
+        .collect();
+    let blocks = (0..count).map(|start| Block {
+        start,
+        set: BlockSet::HalfLine(HalfLine),
+    });
+    let set = ProductSet::new(count, blocks.collect()).unwrap();
+    let mut plain = Plain {
+        a,
+        b: Vec::new(),
+        set,
+    };
+    // Pressed near its middle, pulled up at the free end, over a foundation that is 0.002 away.
+    let load: Vec<f64> = (0..count)
+        .map(|i| match place(i) {
+            x if x > 0.9 => -0.05,
+            x if x > 0.4 => 0.03,
+            _ => 0.0,
+        })
+        .collect();
+    plain.b = plain.mul(&load);
+    plain.b.iter_mut().for_each(|b| *b -= 0.002);
+    for inner_solver in [InnerSolver::Iterative, InnerSolver::Direct] {
+        let settings = Settings {
+            inner_solver,
+            ..settings(Method::Grssn, 1e-9)
+        };
+        let solution = plain.solve(&settings, None);
+        assert_solves(&plain, &solution, 1e-9, "cantilever");
+        assert!(solution.iterations <= 15, "{} steps", solution.iterations);
+        let reference = oracle::minimiser(&plain);
+        let (own, theirs) = (
+            plain.objective(&solution.lambda),
+            plain.objective(&reference),
+        );
+        assert!(
+            own <= theirs + 1e-6 * theirs.abs(),
+            "{own:e} against {theirs:e}"
+        );
+    }
+}
+
 #[test]
 fn newton_methods_need_few_steps_and_less_than_the_gradient_method() {
     for seed in 0..6 {

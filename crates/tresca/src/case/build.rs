@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use tresca_contact::{CouplingMethod, FrictionLaw, Obstacle, RigidSurface};
 use tresca_fem::FemError;
-use tresca_fem::assembly::Formulation;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
 use tresca_io::case::{
@@ -72,10 +71,7 @@ impl Builder<'_> {
         model
             .add_body(body.name.get_ref(), mesh, material)
             .map_err(located)?;
-        let formulation = match body.formulation.get_ref() {
-            case::Formulation::Full => Formulation::Full,
-            case::Formulation::BBar => Formulation::BBar,
-        };
+        let formulation = *body.formulation.get_ref();
         model.formulation(formulation).map_err(located)?;
         if let Some(density) = &constants.density {
             model.density(*density.get_ref()).map_err(located)?;

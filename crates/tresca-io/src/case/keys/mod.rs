@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use toml::Spanned;
+use tresca_fem::assembly::Formulation;
 
 use super::entries::{FieldKeys, Triple, ValueKeys};
 
@@ -115,19 +116,26 @@ pub(super) struct BodyKeys {
     /// What the body is made of.
     pub material: Spanned<Material>,
     /// How its stiffness is integrated. Default: `full`.
-    pub formulation: Option<Spanned<Formulation>>,
+    pub formulation: Option<Spanned<FormulationWord>>,
 }
 
-/// `formulation`: how the stiffness of a body is integrated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+/// `formulation`: how strains are made of displacements.
+#[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "snake_case", expecting = "the name of a formulation")]
-pub enum Formulation {
+pub(super) enum FormulationWord {
     /// The strain as it is.
-    #[default]
     Full,
-    /// The volumetric strain as its mean over the cell, which keeps linear cells of almost
-    /// incompressible material from locking.
+    /// The volumetric strain as its mean over the cell.
     BBar,
+}
+
+impl From<FormulationWord> for Formulation {
+    fn from(word: FormulationWord) -> Self {
+        match word {
+            FormulationWord::Full => Formulation::Full,
+            FormulationWord::BBar => Formulation::BBar,
+        }
+    }
 }
 
 /// `material`: isotropic linear elasticity.

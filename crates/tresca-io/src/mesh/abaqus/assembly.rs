@@ -37,10 +37,8 @@ struct Instance<'d, 'a> {
 /// The mesh of a deck.
 pub(super) fn read(deck: &Deck<'_>) -> Result<MeshFile, MeshFileError> {
     let scopes = sort(deck)?;
-    let mut model = Model {
-        skipped: scopes.skipped,
-        ..Model::default()
-    };
+    let mut model = Model::default();
+    model.skipped = scopes.skipped;
     // Without instances every part is there once, where it was made.
     if scopes.instances.is_empty() {
         for (name, keywords) in &scopes.parts {

@@ -1,10 +1,11 @@
 //! Nodes and elements of a deck.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use super::super::cells::FileCells;
 use super::super::error::MeshFileError;
-use super::super::file::Groups;
+use super::super::file::{Group, Groups};
 use super::super::numbering::Numbering;
 use super::super::order::{from_abaqus, reorder};
 use super::super::placement::Placement;
@@ -22,6 +23,8 @@ pub(super) struct Model {
     /// The space that each entity, an `*ELEMENT` line, belongs to.
     pub space_of_entity: Vec<usize>,
     pub skipped: Vec<String>,
+    /// Names of sets and surfaces as they stand where they come first, by the name in capitals.
+    spelled: HashMap<String, String>,
 }
 
 /// A space of numbers and names: an instance of a part, the assembly, or a deck without parts.
@@ -30,9 +33,11 @@ pub(super) struct Space {
     /// Of the instance; empty for a deck without parts and for the assembly.
     pub name: String,
     nodes: Numbering,
-    first_node: usize,
+    /// Its points among all.
+    pub points: Range<usize>,
     elements: Numbering,
-    first_cell: usize,
+    /// Its cells among all.
+    pub cells: Range<usize>,
     /// Points by name of the set, in capitals.
     pub node_sets: HashMap<String, Vec<usize>>,
     /// Cells by name of the set, in capitals.
@@ -42,12 +47,12 @@ pub(super) struct Space {
 impl Space {
     /// The point of a node.
     pub fn node(&self, number: u64) -> Option<usize> {
-        self.nodes.find(number).map(|i| self.first_node + i)
+        self.nodes.find(number).map(|i| self.points.start + i)
     }
 
     /// The cell of an element.
     pub fn element(&self, number: u64) -> Option<usize> {
-        self.elements.find(number).map(|i| self.first_cell + i)
+        self.elements.find(number).map(|i| self.cells.start + i)
     }
 }
 
@@ -66,7 +71,7 @@ impl Model {
             self.read_nodes(keyword, placement)?;
             if let Some(set) = keyword.parameter("NSET") {
                 let all = first..self.points.len();
-                self.groups.of(set, 0).nodes.extend(all.clone());
+                self.group(set, 0).nodes.extend(all.clone());
                 node_sets.entry(set.to_uppercase()).or_default().extend(all);
             }
         }
@@ -74,9 +79,9 @@ impl Model {
         let mut space = Space {
             name: name.to_owned(),
             nodes,
-            first_node,
-            elements: Numbering::new(&[]).unwrap_or_else(|_| unreachable!("no numbers repeat")),
-            first_cell,
+            points: first_node..self.points.len(),
+            elements: Numbering::default(),
+            cells: first_cell..first_cell,
             node_sets,
             element_sets: HashMap::new(),
         };
@@ -90,7 +95,10 @@ impl Model {
                 known.extend(all);
             }
         }
-        let numbers: Vec<u64> = (first_cell..self.cells.len())
+        space.cells.end = self.cells.len();
+        let numbers: Vec<u64> = space
+            .cells
+            .clone()
             .map(|cell| self.cells.number(cell))
             .collect();
         space.elements = numbering(&numbers, "element", keywords)?;
@@ -98,11 +106,18 @@ impl Model {
         Ok(())
     }
 
+    /// The group of a name, whatever the case of its letters, and dimension.
+    pub fn group(&mut self, name: &str, dimension: usize) -> &mut Group {
+        let spelled = self.spelled.entry(name.to_uppercase());
+        let name = spelled.or_insert_with(|| name.to_owned());
+        self.groups.of(name, dimension)
+    }
+
     /// Files cells under a name, by their dimension.
     pub fn group_of_cells(&mut self, name: &str, cells: &[usize]) {
         for &cell in cells {
             let dimension = self.cells.kind(cell).dimension();
-            self.groups.of(name, dimension).cells.push(cell);
+            self.group(name, dimension).cells.push(cell);
         }
     }
 
@@ -193,8 +208,7 @@ fn numbering(
         // wrong one, but one that shows the number.
         let place = of_kind
             .flat_map(|k| k.data.iter().map(move |&(line, text)| (k, line, text)))
-            .filter(|(_, _, text)| starts(text))
-            .last()
+            .rfind(|(_, _, text)| starts(text))
             .map(|(keyword, line, _)| keyword.place(line));
         match place.or_else(|| keywords.first().map(|k| k.place(k.line))) {
             Some(place) => MeshFileError::DuplicateNumber {

@@ -51,7 +51,7 @@ impl Model {
             let name = keyword.required(&keyword.name)?;
             let members = self.members(space, keyword, sort)?;
             match sort {
-                Sort::Nodes => self.groups.of(name, 0).nodes.extend(&members),
+                Sort::Nodes => self.group(name, 0).nodes.extend(&members),
                 Sort::Elements => self.group_of_cells(name, &members),
             }
             let sets = match sort {
@@ -90,7 +90,17 @@ impl Model {
         Ok(members)
     }
 
-    /// First, last and increment on each line. Numbers in between that do not exist are no fault.
+    /// The numbers of a space, with their points or cells.
+    fn numbers(&self, space: usize, sort: Sort) -> Box<dyn Iterator<Item = (u64, usize)> + '_> {
+        let of = &self.spaces[space];
+        match sort {
+            Sort::Nodes => Box::new(of.points.clone().map(|i| (self.point_numbers[i], i))),
+            Sort::Elements => Box::new(of.cells.clone().map(|i| (self.cells.number(i), i))),
+        }
+    }
+
+    /// First, last and increment on each line. Numbers in between that do not exist are no fault: the
+    /// range is not walked through, it may be all numbers there are.
     fn generated(
         &self,
         space: usize,
@@ -116,14 +126,14 @@ impl Model {
                     ));
                 }
             };
-            let mut number = first;
-            while number <= last {
-                members.extend(sort.find(&self.spaces[space], number));
-                let Some(next) = number.checked_add(increment) else {
-                    break;
-                };
-                number = next;
-            }
+            let wanted = |number: u64| {
+                (first..=last).contains(&number) && (number - first).is_multiple_of(increment)
+            };
+            members.extend(
+                self.numbers(space, sort)
+                    .filter(|(n, _)| wanted(*n))
+                    .map(|(_, i)| i),
+            );
         }
         Ok(members)
     }

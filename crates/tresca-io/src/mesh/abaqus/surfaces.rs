@@ -40,7 +40,7 @@ impl Model {
         for &(line, text) in &keyword.data {
             let entry = text.split(',').next().unwrap_or_default().trim();
             let nodes = self.resolve(space, keyword, line, entry, Sort::Nodes)?;
-            self.groups.of(name, 0).nodes.extend(nodes);
+            self.group(name, 0).nodes.extend(nodes);
         }
         Ok(())
     }
@@ -87,7 +87,7 @@ impl Model {
                 format!("`{side}`"),
             ));
         };
-        let group = self.groups.of(name, kind.dimension() - 1);
+        let group = self.group(name, kind.dimension() - 1);
         group.faces.push([cell, local]);
         Ok(())
     }
@@ -108,6 +108,6 @@ impl Model {
         }
         let map = FaceMap::new(&self.cells, dimension);
         let exterior = map.exterior().into_iter().filter(|side| wanted[side[0]]);
-        self.groups.of(name, dimension - 1).faces.extend(exterior);
+        self.group(name, dimension - 1).faces.extend(exterior);
     }
 }

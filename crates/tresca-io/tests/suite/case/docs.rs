@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use tresca_io::case::LAWS;
 use tresca_io::expression::Expression;
 
-use crate::case::support::{GOOD, PLANE, RICH, changed, parse, render, report, with};
+use crate::case::support::{GOOD, OBSTACLES, PLANE, RICH, Solver, changed, render, report, with};
 
 const PAGE: &str = include_str!("../../../../../docs/case-file.md");
 
@@ -35,9 +35,15 @@ fn keys_on_page(heading: &str) -> BTreeSet<String> {
 fn every_key_is_documented_and_every_documented_key_exists() {
     let rich = |from, to| changed(RICH, from, to);
     let plane = |from, to| changed(PLANE, from, to);
+    let touching = |from, to| changed(OBSTACLES, from, to);
     for (heading, text) in [
         ("The file", format!("zzz = 1\n{GOOD}")),
         ("`[[body]]`", with("name =", "zzz = 1\nname =")),
+        ("`mesh`", with("{ brick =", "{ zzz = 1, brick =")),
+        (
+            "`rotate`",
+            touching("{ axis = [0, 0, 1], a", "{ zzz = 1, a"),
+        ),
         ("`brick`", with("{ min", "{ zzz = 1, min")),
         ("`rectangle`", plane("{ min", "{ zzz = 1, min")),
         ("`material`", with("{ young", "{ zzz = 1, young")),
@@ -52,8 +58,20 @@ fn every_key_is_documented_and_every_documented_key_exists() {
             rich("[[body_force]]", "[[body_force]]\nzzz = 1"),
         ),
         ("`[[gravity]]`", rich("[[gravity]]", "[[gravity]]\nzzz = 1")),
+        (
+            "`[[obstacle]]`",
+            touching("[[obstacle]]", "[[obstacle]]\nzzz = 1"),
+        ),
+        ("`sphere`", touching("sphere = {", "sphere = { zzz = 1,")),
+        (
+            "`cylinder`",
+            touching("cylinder = {", "cylinder = { zzz = 1,"),
+        ),
+        ("`circle`", touching("sphere = {", "circle = { zzz = 1,")),
+        ("`surface`", touching("surface = {", "surface = { zzz = 1,")),
         ("`[[contact]]`", with("pair =", "zzz = 1\npair =")),
         ("`friction`", with("{ law", "{ zzz = 1, law")),
+        ("`plane`", touching("plane = {", "plane = { zzz = 1,")),
         ("`[[step]]`", rich("[[step]]", "[[step]]\nzzz = 1")),
     ] {
         assert_eq!(keys_on_page(heading), keys_in_report(&text), "{heading}");
@@ -122,13 +140,15 @@ fn every_other_example_is_read() {
         .skip(2)
         .map(|rest| rest.split("```").next().unwrap())
         .collect();
-    assert_eq!(examples.len(), 11);
+    assert_eq!(examples.len(), 14);
     for example in examples {
         let text = match example.contains("[[body]]") {
             true => example.to_owned(),
             false => format!("{bodies}\n{example}"),
         };
-        if let Err(error) = parse(&text) {
+        // Beside the page, where its relative paths start.
+        let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/case.toml");
+        if let Err(error) = tresca_io::case::parse::<Solver>(page, &text) {
             panic!("{}", render(&error));
         }
     }

@@ -1,7 +1,8 @@
 //! Meshes out of files, placement, kinds of cells, formulations.
 
+use tresca_fem::assembly::Formulation;
 use tresca_fem::mesh::CellKind;
-use tresca_io::case::{Formulation, Mesh};
+use tresca_io::case::Mesh;
 
 use crate::case::support::{
     GOOD, OBSTACLES, changed, parse, parse_here, report, report_here, with,

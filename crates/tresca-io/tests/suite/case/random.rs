@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use crate::case::support::{GOOD, PLANE, RICH, parse, render};
+use crate::case::support::{GOOD, OBSTACLES, PLANE, RICH, parse, render};
 
 fn survives(text: &str) {
     if let Err(error) = parse(text) {
@@ -86,7 +86,7 @@ proptest! {
 
     #[test]
     fn mutations_of_a_good_case(
-        good in prop::sample::select(vec![GOOD, RICH, PLANE]),
+        good in prop::sample::select(vec![GOOD, RICH, PLANE, OBSTACLES]),
         edits in prop::collection::vec((any::<usize>(), 0_usize..12, scrap()), 1..4),
     ) {
         let mut text = good.to_owned();
@@ -100,7 +100,7 @@ proptest! {
 
     #[test]
     fn exchanged_values(
-        good in prop::sample::select(vec![GOOD, RICH, PLANE]),
+        good in prop::sample::select(vec![GOOD, RICH, PLANE, OBSTACLES]),
         from in any::<usize>(),
         to in any::<usize>(),
     ) {

@@ -102,7 +102,19 @@ fn sets_and_surfaces_of_a_flat_deck() {
 }
 
 #[test]
-fn quadratic_surfaces_and_shells() {
+fn a_set_that_is_given_again_grows_whatever_its_letters() {
+    let text = TOWER.replace(
+        "*MATERIAL",
+        "*NSET, NSET=BASE\n5\n*NSET, NSET=\"Later\"\nbase\n*MATERIAL",
+    );
+    let file = deck(&text);
+    assert_eq!(file.group("Base", 0).unwrap().nodes, [0, 1, 2, 3, 4]);
+    assert_eq!(file.group("Later", 0).unwrap().nodes, [0, 1, 2, 3, 4]);
+    assert!(file.group("BASE", 0).is_err());
+}
+
+#[test]
+fn shells_are_surfaces_of_the_body_that_they_lie_on() {
     // A rigid plate of shells under a cube, and a surface of it.
     let text = TOWER.replace(
         "*ELSET, ELSET=Both",
@@ -269,4 +281,24 @@ fn what_a_deck_cannot_mean_is_refused_with_its_line() {
         panic!("{error}")
     };
     assert_eq!(help.as_deref(), Some("did you mean `UPPER`?"));
+}
+
+/// Single characters changed, single lines left out: an error or another mesh, but no panic.
+#[test]
+fn damaged_decks_do_no_harm() {
+    let mut bytes = TOWER.as_bytes().to_vec();
+    for at in 0..bytes.len() {
+        let old = bytes[at];
+        for new in [b',', b'*', b'=', b'\n', b'9', b'.', 0xff] {
+            bytes[at] = new;
+            let _ = parse("damaged.inp", &bytes);
+        }
+        bytes[at] = old;
+    }
+    let lines: Vec<&str> = TOWER.lines().collect();
+    for left_out in 0..lines.len() {
+        let rest = lines.iter().enumerate().filter(|(i, _)| *i != left_out);
+        let text: Vec<&str> = rest.map(|(_, line)| *line).collect();
+        let _ = parse("damaged.inp", text.join("\n").as_bytes());
+    }
 }

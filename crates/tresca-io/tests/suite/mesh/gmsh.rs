@@ -337,3 +337,36 @@ fn nodes_of_type(number: u64) -> u64 {
         other => panic!("{other}"),
     }
 }
+
+/// Sections for other programs, and nodes with their places on the curves and surfaces.
+#[test]
+fn what_a_mesh_does_not_need_is_skipped_and_listed() {
+    let text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nof $no importance\n$EndComments\n\
+                $Entities\n0 0 1 0\n1 0 0 0 1 1 0 1 -9 0\n$EndEntities\n\
+                $Nodes\n2 4 1 4\n2 1 1 2\n1\n2\n0 0 0 0.1 0.2\n1 0 0 0.3 0.4\n1 5 1 2\n3\n4\n1 1 0 0.5\n0 1 0 0.6\n$EndNodes\n\
+                $Periodic\n1\n$EndPeriodic\n$Elements\n1 1 1 1\n2 1 3 1\n1 1 2 3 4\n$EndElements\n\
+                $NodeData\n1\n$EndNodeData\n$NodeData\n2\n$EndNodeData\n";
+    let file = parse("skipping.msh", text.as_bytes()).unwrap();
+    assert_eq!(file.skipped, ["$Comments", "$Periodic", "$NodeData"]);
+    assert_eq!(file.points[2], [1.0, 1.0, 0.0]);
+    // The group has the entity reversed, and no name.
+    assert_eq!(file.group("9", 2).unwrap().cells, [0]);
+    assert_eq!(
+        file.describe(),
+        "Gmsh MSH 4.1, text: 4 points, 1 quad4; groups: `9`"
+    );
+    assert!((body(&file, Space::Plane, Some("9")).mesh.volume() - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn a_mesh_in_partitions_is_refused() {
+    let text =
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PartitionedEntities\n2\n$EndPartitionedEntities\n";
+    let error = parse("parts.msh", text.as_bytes()).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .ends_with("a mesh in partitions is not supported"),
+        "{error}"
+    );
+}

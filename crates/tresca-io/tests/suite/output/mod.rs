@@ -2,4 +2,5 @@
 
 mod atomic;
 mod grids;
+mod kinds;
 mod tables;

@@ -1,17 +1,20 @@
 //! From a file to the mesh of a body.
 
-use std::cell::OnceCell;
+mod finder;
+mod members;
+
 use std::collections::BTreeMap;
 use std::fmt;
 
 use tresca_fem::FemError;
-use tresca_fem::mesh::{BoundingBox, CellBlock, CellKind, Face, FaceLookup, Mesh, Space};
+use tresca_fem::mesh::{BoundingBox, Mesh, Space};
 
 use super::error::MeshFileError;
-use super::faces::{FaceMap, side};
-use super::file::{Group, MeshFile};
-use super::order::{reorder, turned_over};
+use super::faces::side;
+use super::file::MeshFile;
 use super::placement::Placement;
+use finder::Finder;
+use members::Members;
 
 /// Distances below this part of a body's size are rounding: coordinates that should be 0 become 0.
 const ROUNDING: f64 = 1e-12;
@@ -270,201 +273,6 @@ impl MeshFile {
                 false => group.name.clone(),
             };
             mesh.node_sets.insert(name, nodes);
-        }
-    }
-}
-
-/// What of a file belongs to a body.
-#[derive(Debug)]
-struct Members {
-    /// By cell of the mesh.
-    cells: Vec<usize>,
-    /// By cell of the file; `usize::MAX` for none.
-    cell_numbers: Vec<usize>,
-    /// By node of the mesh, ascending.
-    nodes: Vec<usize>,
-    /// By point of the file; `usize::MAX` for none.
-    node_numbers: Vec<usize>,
-}
-
-impl Members {
-    fn new(file: &MeshFile, mut cells: Vec<usize>) -> Self {
-        // Cells of one kind stand together; a stable sort keeps the order of the file among them.
-        cells.sort_by_key(|&cell| file.cells.kind(cell));
-        let mut cell_numbers = vec![usize::MAX; file.cells.len()];
-        let mut used = vec![false; file.points.len()];
-        for (number, &cell) in cells.iter().enumerate() {
-            cell_numbers[cell] = number;
-            for &node in file.cells.nodes(cell) {
-                used[node] = true;
-            }
-        }
-        let nodes: Vec<usize> = (0..used.len()).filter(|&node| used[node]).collect();
-        let mut node_numbers = vec![usize::MAX; used.len()];
-        for (number, &node) in nodes.iter().enumerate() {
-            node_numbers[node] = number;
-        }
-        Self {
-            cells,
-            cell_numbers,
-            nodes,
-            node_numbers,
-        }
-    }
-
-    fn node(&self, point: usize) -> Option<usize> {
-        Some(self.node_numbers[point]).filter(|&number| number != usize::MAX)
-    }
-
-    fn cell(&self, cell: usize) -> Option<usize> {
-        Some(self.cell_numbers[cell]).filter(|&number| number != usize::MAX)
-    }
-
-    /// The blocks of cells. In the plane, surfaces that run clockwise throughout are turned over:
-    /// which way a surface runs is an accident of its drawing, not a defect of its mesh.
-    fn blocks(
-        &mut self,
-        file: &MeshFile,
-        space: Space,
-        points: &[[f64; 3]],
-        notes: &mut Vec<Note>,
-    ) -> Vec<CellBlock> {
-        let clockwise = match space.dimension() {
-            2 => self.clockwise_entities(file, points),
-            _ => BTreeMap::new(),
-        };
-        let mut turned = 0;
-        let mut blocks: Vec<CellBlock> = Vec::new();
-        let (mut nodes, mut scratch) = (Vec::new(), Vec::new());
-        for &cell in &self.cells {
-            let kind = file.cells.kind(cell);
-            nodes.clear();
-            nodes.extend(file.cells.nodes(cell).iter().map(|&p| self.node_numbers[p]));
-            if clockwise.get(&file.cells.entity(cell)) == Some(&true) {
-                reorder(turned_over(kind), &mut nodes, &mut scratch);
-                turned += 1;
-            }
-            match blocks.last_mut().filter(|block| block.kind == kind) {
-                Some(block) => block.connectivity.extend(&nodes),
-                None => blocks.push(CellBlock {
-                    kind,
-                    connectivity: nodes.clone(),
-                }),
-            }
-        }
-        if turned > 0 {
-            notes.push(Note::Clockwise { cells: turned });
-        }
-        blocks
-    }
-
-    /// By entity, whether all its cells in the body run clockwise.
-    fn clockwise_entities(&self, file: &MeshFile, points: &[[f64; 3]]) -> BTreeMap<u32, bool> {
-        let mut clockwise = BTreeMap::new();
-        for &cell in &self.cells {
-            let corners = &file.cells.nodes(cell)[..file.cells.kind(cell).corner_count()];
-            let place = |point: usize| points[self.node_numbers[point]];
-            // Twice the area, by the corners.
-            let area: f64 = (0..corners.len())
-                .map(|i| {
-                    let [ax, ay, _] = place(corners[i]);
-                    let [bx, by, _] = place(corners[(i + 1) % corners.len()]);
-                    ax * by - bx * ay
-                })
-                .sum();
-            let all = clockwise.entry(file.cells.entity(cell)).or_insert(true);
-            *all &= area < 0.0;
-        }
-        clockwise
-    }
-}
-
-/// Finds the faces of a body that a group means.
-struct Finder<'a> {
-    file: &'a MeshFile,
-    members: &'a Members,
-    mesh: &'a Mesh,
-    of_body: FaceLookup,
-    /// The faces of all cells, made when it must be known whether another body has a face.
-    of_file: OnceCell<FaceMap>,
-}
-
-impl<'a> Finder<'a> {
-    fn new(file: &'a MeshFile, members: &'a Members, mesh: &'a Mesh) -> Self {
-        Self {
-            file,
-            members,
-            mesh,
-            of_body: FaceLookup::new(mesh),
-            of_file: OnceCell::new(),
-        }
-    }
-
-    fn faces(&self, group: &Group) -> Result<Vec<Face>, MeshFileError> {
-        let cells = &self.file.cells;
-        let mut faces = Vec::new();
-        for &element in &group.cells {
-            let (kind, nodes) = (cells.kind(element), cells.nodes(element));
-            faces.extend(self.face(group, element, (kind, nodes))?);
-        }
-        for &[cell, local] in &group.faces {
-            if self.members.cell(cell).is_some() {
-                let (kind, nodes) = side(cells, [cell, local]);
-                faces.extend(self.face(group, cell, (kind, &nodes))?);
-            }
-        }
-        faces.sort_unstable();
-        faces.dedup();
-        Ok(faces)
-    }
-
-    /// The face of the body that a surface element is, or the side of a cell; `None` if it belongs
-    /// to other bodies or none. `element` is what an error names.
-    fn face(
-        &self,
-        group: &Group,
-        element: usize,
-        (kind, points): (CellKind, &[usize]),
-    ) -> Result<Option<Face>, MeshFileError> {
-        let nodes: Option<Vec<usize>> = points.iter().map(|&p| self.members.node(p)).collect();
-        let Some(mut nodes) = nodes else {
-            return Ok(None);
-        };
-        let missing = || MeshFileError::MissingFace {
-            path: self.file.path.clone(),
-            group: group.name.clone(),
-            element: self.file.element(element),
-        };
-        match self.of_body.sides(&nodes[..kind.corner_count()]) {
-            &[face] => {
-                // A linear element on a quadratic cell, or the reverse.
-                let mut own = self.mesh.face_nodes(face);
-                own.sort_unstable();
-                nodes.sort_unstable();
-                if own == nodes {
-                    Ok(Some(face))
-                } else {
-                    Err(missing())
-                }
-            }
-            [first, second, ..] => Err(MeshFileError::InteriorFace {
-                path: self.file.path.clone(),
-                group: group.name.clone(),
-                element: self.file.element(element),
-                sides: [first, second].map(|face| {
-                    let cell = self.members.cells[face.cell];
-                    self.file.element(cell)
-                }),
-            }),
-            // A body that touches this one along the nodes of the element may have the face.
-            [] => {
-                let map = || FaceMap::new(&self.file.cells, group.dimension + 1);
-                let corners = &points[..kind.corner_count()];
-                match self.of_file.get_or_init(map).contains(corners) {
-                    true => Ok(None),
-                    false => Err(missing()),
-                }
-            }
         }
     }
 }
