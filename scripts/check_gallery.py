@@ -139,12 +139,19 @@ def dovetail(run):
 
 
 def lap_joint(run):
-    """Coulomb's law of the whole, and the forces on the bolt in balance."""
-    faying, head, upper_hole = 0, 1, 3
-    last = len(run.steps)
-    run.hold("friction of the plates at the end over 0.2 N", abs(run.force(last, faying)[0]), 0.2 * run.normal(last, faying), 0.02)
-    run.hold("friction before the pull", np.abs(run.force(1, faying)[0]), 0, 0.02, 0.2 * run.normal(1, faying))
-    run.hold("shank on the hole before the pull", run.normal(1, upper_hole), 0, 1e-12, run.normal(1, head))
+    """Coulomb's law of whole surfaces while they slip, and a shank that bears at last."""
+    faying, head, nut, upper_hole, lower_hole = range(5)
+    friction, last, between = 0.2, len(run.steps), 5
+    for pair, name in ((faying, "plates"), (head, "head"), (nut, "nut")):
+        force = np.abs(run.force(between, pair)[0])
+        run.hold(f"friction over 0.2 N while all slips: {name}", force / run.normal(between, pair), friction, 0.005)
+    for step in (1, between):
+        run.hold(f"step {step}: force on the shank", run.normal(step, upper_hole), 0, 0, 1)
+    # The bolt is in balance with what head, nut and shank carry.
+    on_bolt = sum(run.force(last, pair) for pair in (head, nut, upper_hole, lower_hole))
+    run.hold("end: forces on the bolt along the pull", on_bolt[0], 0, 1e-6, run.normal(last, upper_hole))
+    run.hold("end: forces on the bolt along its axis", on_bolt[2], 0, 1e-6, run.normal(last, head))
+    run.hold("end: upper over lower hole", run.normal(last, upper_hole), run.normal(last, lower_hole), 0.01)
 
 
 CASES = {
