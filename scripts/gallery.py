@@ -267,7 +267,7 @@ CASES = {
     "lap-joint": Case(-1, (0.3, -1, 0.4), 10, joint_forces, zoom=1.9),
     "hip": Case(-1, (0.1, -1, 0.3), 1, contact(towards=(-0.15, 0, 1), up=(1, 0, 0), mirror="y", note=", slip")),
     "press-fit": Case(-1, (1, 0.6, 1.1), 1, lame),
-    "punch": Case(3, (0.2, -1, 0.9), 5, contact(note="; dots stick, arrows slip"), zoom=1.35),
+    "punch": Case(3, (0.2, -1, 0.9), 5, contact(note="; dots stick, arrows slip"), zoom=1.15),
     "fretting": Case(6, (0, 0, 1), 20, tractions, focus=(0, 0, 2)),
     "dovetail": Case(1, (0.25, 0.2, 1), 10, flank_forces, mirror="x"),
 }
@@ -284,7 +284,9 @@ def main(names, results, pictures):
         figure.savefig(path, dpi=90)
         plt.close(figure)
         # A palette of its own makes it half as large.
-        Image.open(path).convert("RGB").quantize(256, method=Image.Quantize.MAXCOVERAGE).save(path, optimize=True)
+        image = Image.open(path).convert("RGB")
+        palette = image.quantize(256, method=Image.Quantize.MEDIANCUT)
+        image.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG).save(path, optimize=True)
         print(path)
 
 
