@@ -1,12 +1,12 @@
-// Half a ball on a block, meshed apart: two bodies of tetrahedra of second order with about 300 000 unknowns
+// Half a ball on a block, meshed apart: two bodies of tetrahedra of second order with about 340 000 unknowns
 // together. For timings; the mesh is not kept. Units: mm.
 //
 //     gmsh -3 large.geo                        large.msh
-//     gmsh -3 large.geo -setnumber size 0.5    about 40 000 unknowns
+//     gmsh -3 large.geo -setnumber size 0.5    about 50 000 unknowns
 //
 // `size` divides the lengths of all elements.
 SetFactory("OpenCASCADE");
-DefineConstant[ size = {1, Min 0.1, Max 3, Name "elements per length, relative to 300 000 unknowns"} ];
+DefineConstant[ size = {1, Min 0.1, Max 3, Name "elements per length, relative to 340 000 unknowns"} ];
 
 radius = 50;
 half = 50;     // of the length and width of the block
