@@ -43,9 +43,11 @@ Physical Surface("y0") = {cut_y()};
 Physical Surface("round") = {shaft()};
 Physical Surface("bore") = {bore()};
 
-MeshSize{ PointsOf{ Volume{20}; } } = 5/size;
+MeshSize{ PointsOf{ Volume{20}; } } = 3.5/size;
 MeshSize{ PointsOf{ Volume{hub(1)}; } } = 3.5/size;
 Mesh.Algorithm = 8;
+// What suits quadrilaterals makes long triangles on the round face.
+MeshAlgorithm Surface{shaft()} = 5;
 Mesh.RecombinationAlgorithm = 1;
 Mesh.ElementOrder = 2;
 Mesh.SecondOrderIncomplete = 1;
