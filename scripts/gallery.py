@@ -20,10 +20,17 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import pyvista
+import vtk
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
+from PIL import Image
 
 WINDOW = (1100, 850)
+NORMALS = {"x": (1, 0, 0), "y": (0, 1, 0)}
+
+# Lines lie on the surfaces that they are the edges of.
+vtk.vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
+vtk.vtkMapper.SetResolveCoincidentTopologyLineOffsetParameters(-2.0, -2.0)
 
 
 @dataclass
@@ -71,8 +78,9 @@ class Case:
 
 def flat(grid):
     """Surface of a grid through its mid nodes, and the edges of its elements as lines."""
-    shown = grid.extract_surface(nonlinear_subdivision=2)
-    edges = grid.separate_cells().extract_surface(nonlinear_subdivision=2)
+    outside = {"nonlinear_subdivision": 2, "algorithm": "dataset_surface"}
+    shown = grid.extract_surface(**outside)
+    edges = grid.separate_cells().extract_surface(**outside)
     return shown, edges.extract_feature_edges(feature_angle=89.0, manifold_edges=False, non_manifold_edges=False)
 
 
@@ -101,7 +109,7 @@ def picture_of_bodies(axes, run, case):
         shown, edges = flat(body)
         halves = [(shown, edges)]
         if case.mirror:
-            halves += [tuple(half.reflect({"x": (1, 0, 0), "y": (0, 1, 0)}[case.mirror]) for half in halves[0])]
+            halves += [tuple(part.reflect(NORMALS[case.mirror]) for part in halves[0])]
         for surface, lines in halves:
             plotter.add_mesh(
                 surface, scalars="von_mises_stress", cmap="viridis", clim=(0, colours.vmax), show_scalar_bar=False,
@@ -129,35 +137,44 @@ def trimmed(image, margin=12):
     return image[tuple(window)]
 
 
-def surface(pair=None, towards=(0, 0, 1), up=(1, 0, 0), title="contact pressure in MPa", arrows=False, step=None):
-    """The contact surface of some pairs, coloured by the pressure."""
+def contact(pairs=None, towards=(0, 0, 1), up=(0, 1, 0), mirror="", step=None, note=""):
+    """The contact surface of some pairs, coloured by the pressure; nodes that stick are dots, slip is arrows."""
 
     def draw(axes, run, case):
         grid = run.grid("contact", case.step if step is None else step)
-        if pair is not None:
-            grid = grid.extract_points(np.isin(grid["pair"], pair), adjacent_cells=False)
+        if pairs is not None:
+            grid = grid.extract_points(np.isin(grid["pair"], pairs), adjacent_cells=False)
         plotter = pyvista.Plotter(off_screen=True, window_size=WINDOW)
         plotter.set_background("white")
-        shown, edges = flat(grid)
         largest = max(float(grid["contact_pressure"].max()), np.finfo(float).tiny)
-        plotter.add_mesh(
-            shown, scalars="contact_pressure", cmap="magma_r", clim=(0, largest), show_scalar_bar=False, lighting=False
-        )
-        plotter.add_mesh(edges, color="black", line_width=0.6, opacity=0.4)
-        if arrows:
-            closed = grid.extract_points(grid["closed"] == 1, include_cells=False)
-            slip = np.linalg.norm(closed["slip"], axis=1)
-            if slip.max() > 0:
-                length = 0.08 * grid.length / slip.max()
-                plotter.add_mesh(closed.glyph(orient="slip", scale="slip", factor=length), color="#1f77b4")
+        towards_eye = 0.02 * grid.length * np.array(towards) / np.linalg.norm(towards)
+        halves = [grid, grid.reflect(NORMALS[mirror], transform_all_input_vectors=True)] if mirror else [grid]
+        longest = max(np.linalg.norm(grid["slip"][grid["status"] == 2], axis=1), default=0.0)
+        for half in halves:
+            shown, edges = flat(half)
+            plotter.add_mesh(
+                shown, scalars="contact_pressure", cmap="YlOrRd", clim=(0, largest), show_scalar_bar=False, lighting=False
+            )
+            plotter.add_mesh(edges, color="black", line_width=0.6, opacity=0.35)
+            # In front of the surface, seen from the eye.
+            points = pyvista.PolyData(half.points + towards_eye)
+            points["slip"], points["status"] = half["slip"], half["status"]
+            sticking, slipping = (
+                points.extract_points(points["status"] == status, adjacent_cells=False) for status in (1, 2)
+            )
+            if sticking.n_points:
+                plotter.add_mesh(sticking, style="points", color="black", point_size=18, render_points_as_spheres=True)
+            if slipping.n_points and longest > 0:
+                arrows = slipping.glyph(orient="slip", scale="slip", factor=0.09 * grid.length / longest)
+                plotter.add_mesh(arrows, color="#1f4e9c", lighting=False)
         plotter.view_vector(towards, viewup=up)
         plotter.camera.parallel_projection = True
         plotter.enable_anti_aliasing("ssaa")
         axes.imshow(trimmed(plotter.screenshot(return_img=True)))
         plotter.close()
         axes.set_axis_off()
-        axes.set_title(title, fontsize=10)
-        bar(axes, Normalize(0, largest), "magma_r")
+        axes.set_title(f"contact pressure in MPa{note}", fontsize=10)
+        bar(axes, Normalize(0, largest), "YlOrRd")
 
     return draw
 
@@ -183,13 +200,56 @@ def joint_forces(axes, run, case):
     tidy(axes, "displacement of the end in mm", "kN")
 
 
-def hysteresis(axes, run, case):
-    """Tangential force over the way of the grip."""
-    way = [run.grid("pad", number + 1) for number in range(len(run.steps))]
-    grip = [1e3 * grid["displacement"][np.argmax(grid.points[:, 1]), 0] for grid in way]
-    axes.plot(grip, -run.forces(0)[:, 0], "o-", ms=3, label="tangential force")
-    axes.set_title("the cycle", fontsize=10)
-    tidy(axes, "displacement of the grip in µm", "N per mm of thickness")
+def lame(axes, run, case):
+    """Radial and hoop stress over the radius, beside Lamé's."""
+    a, b, interference = 20.0, 40.0, 0.02
+    (shaft, nu), (hub, mu) = (2.1e5, 0.3), (7.0e4, 0.33)
+    of_hub = (1 + mu) / hub * ((1 - 2 * mu) * a**2 + b**2) / (b**2 - a**2)
+    pressure = interference / a / (of_hub + (1 + nu) * (1 - 2 * nu) / shaft)
+    for grid, label in zip(run.bodies(-1), ("finite elements", None)):
+        x, y, _ = grid.points.T
+        radius = np.hypot(x, y)
+        inner = radius > 1e-9
+        c, s = x[inner] / radius[inner], y[inner] / radius[inner]
+        xx, yy, _, xy, _, _ = grid["stress"][inner].T
+        radial, hoop = c * c * xx + s * s * yy + 2 * c * s * xy, s * s * xx + c * c * yy - 2 * c * s * xy
+        axes.plot(radius[inner], radial, ".", ms=3, color="tab:blue", label=label and "radial stress")
+        axes.plot(radius[inner], hoop, ".", ms=3, color="tab:orange", label=label and "hoop stress")
+    ring = np.linspace(a, b, 100)
+    factor = pressure * a**2 / (b**2 - a**2)
+    axes.plot([0, a], [-pressure] * 2, "k-", lw=1, label="Lamé")
+    axes.plot(ring, factor * (1 - (b / ring) ** 2), "k-", lw=1)
+    axes.plot(ring, factor * (1 + (b / ring) ** 2), "k-", lw=1)
+    axes.set_title("stress in MPa over the radius, all nodes", fontsize=10)
+    tidy(axes, "radius in mm", "MPa")
+
+
+def tractions(axes, run, case):
+    """Pressure and shear of the fretting contact beside Hertz's, Cattaneo's and Mindlin's."""
+    radius, friction, effective = 50.0, 0.5, 1.15e5 / (2 * (1 - 0.32**2))
+    normal = run.steps[5]["resultants"][0]["normal_force_sum"]
+    a = np.sqrt(4 * normal * radius / (np.pi * effective))
+    peak = 2 * normal / (np.pi * a)
+    x = np.linspace(-1.1 * a, 1.1 * a, 400)
+    partial = lambda c: np.sqrt(np.maximum(1 - (x / a) ** 2, 0)) - c / a * np.sqrt(np.maximum(1 - (x / c) ** 2, 0))
+    largest = run.forces(0)[5, 0]
+    stroke = friction * peak * partial(a * np.sqrt(1 - abs(largest) / (friction * normal)))
+    turned = abs(largest - run.forces(0)[10, 0])
+    back = stroke - 2 * friction * peak * partial(a * np.sqrt(1 - turned / (2 * friction * normal)))
+    axes.plot(x, peak * np.sqrt(np.maximum(1 - (x / a) ** 2, 0)), "k-", lw=1, label="Hertz, Cattaneo, Mindlin")
+    axes.plot(x, stroke, "k-", lw=1)
+    axes.plot(x, back, "k-", lw=1)
+    for step, field, mark, label in (
+        (6, "contact_pressure", "o", "pressure"),
+        (6, "tangential_traction", "s", "shear, end of the first stroke"),
+        (11, "tangential_traction", "^", "shear, half-way back"),
+    ):
+        grid = run.grid("contact", step)
+        inside = np.abs(grid.points[:, 0]) < 1.1 * a
+        values = grid[field] if grid[field].ndim == 1 else np.sign(largest) * grid[field][:, 0]
+        axes.plot(grid.points[inside, 0], values[inside], mark, ms=3.5, label=label)
+    axes.set_title("tractions in MPa", fontsize=10)
+    tidy(axes, "x in mm", "MPa")
 
 
 def flank_forces(axes, run, case):
@@ -204,12 +264,12 @@ def flank_forces(axes, run, case):
 
 
 CASES = {
-    "lap-joint": Case(-1, (0.35, -1, 0.45), 10, joint_forces, 1.0),
-    "hip": Case(-1, (0.1, -1, 0.3), 1, surface(towards=(-0.55, 0, 0.8), up=(0, 1, 0), arrows=True)),
-    "press-fit": Case(-1, (1, 0.6, 1.1), 100, surface(towards=(-1, -1, 0.35), up=(0, 0, 1))),
-    "punch": Case(-1, (0.3, -1, 0.6), 1, surface(arrows=True), mirror=""),
-    "fretting": Case(2, (0, 0, 1), 20, hysteresis, focus=(0, 0, 3)),
-    "dovetail": Case(1, (0.25, 0.2, 1), 20, flank_forces, mirror="x"),
+    "lap-joint": Case(-1, (0.3, -1, 0.4), 10, joint_forces, zoom=1.9),
+    "hip": Case(-1, (0.1, -1, 0.3), 1, contact(towards=(-0.15, 0, 1), up=(1, 0, 0), mirror="y", note=", slip")),
+    "press-fit": Case(-1, (1, 0.6, 1.1), 1, lame),
+    "punch": Case(3, (0.2, -1, 0.9), 5, contact(note="; dots stick, arrows slip"), zoom=1.15),
+    "fretting": Case(6, (0, 0, 1), 20, tractions, focus=(0, 0, 2)),
+    "dovetail": Case(1, (0.25, 0.2, 1), 10, flank_forces, mirror="x"),
 }
 
 
@@ -223,6 +283,10 @@ def main(names, results, pictures):
         path = pictures / name / f"{name}.png"
         figure.savefig(path, dpi=90)
         plt.close(figure)
+        # A palette of its own makes it half as large.
+        image = Image.open(path).convert("RGB")
+        palette = image.quantize(256, method=Image.Quantize.MEDIANCUT)
+        image.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG).save(path, optimize=True)
         print(path)
 
 

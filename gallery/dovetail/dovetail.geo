@@ -2,7 +2,7 @@
 // direction of the blade. Units: mm.
 //
 //     gmsh -3 dovetail.geo                     the small mesh, dovetail.msh
-//     gmsh -3 dovetail.geo -setnumber size 3 -o dovetail-large.msh
+//     gmsh -3 dovetail.geo -setnumber size 3
 //
 // `size` divides the lengths of all elements. Triangles pulled along z: wedges.
 DefineConstant[ size = {1, Min 0.5, Max 10, Name "elements per length, relative to the small mesh"} ];

@@ -2,7 +2,7 @@
 // apart. Units: mm.
 //
 //     gmsh -2 fretting.geo                     the small mesh, fretting.msh
-//     gmsh -2 fretting.geo -setnumber size 8 -o fretting-large.msh
+//     gmsh -2 fretting.geo -setnumber size 8
 //
 // `size` divides the lengths of all elements. The pad is made of triangles, the specimen of quadrilaterals.
 DefineConstant[ size = {1, Min 0.5, Max 50, Name "elements per length, relative to the small mesh"} ];

@@ -2,7 +2,7 @@
 // that is tilted against the load, meshed apart. One half, y >= 0. Units: mm.
 //
 //     gmsh -3 hip.geo                          the small mesh, hip.msh
-//     gmsh -3 hip.geo -setnumber size 3 -o hip-large.msh
+//     gmsh -3 hip.geo -setnumber size 3
 //
 // `size` divides the lengths of all elements.
 SetFactory("OpenCASCADE");

@@ -2,7 +2,7 @@
 // One half, y >= 0. Units: mm.
 //
 //     gmsh -3 lap-joint.geo                    the small mesh, lap-joint.msh
-//     gmsh -3 lap-joint.geo -setnumber size 3 -o lap-joint-large.msh
+//     gmsh -3 lap-joint.geo -setnumber size 3
 //
 // `size` divides the lengths of all elements.
 SetFactory("OpenCASCADE");

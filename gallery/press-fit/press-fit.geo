@@ -3,7 +3,7 @@
 // hub; the case file pushes it in. Units: mm.
 //
 //     gmsh -3 press-fit.geo                    the small mesh, press-fit.msh
-//     gmsh -3 press-fit.geo -setnumber size 3 -o press-fit-large.msh
+//     gmsh -3 press-fit.geo -setnumber size 3
 //
 // `size` divides the lengths of all elements. The shaft is made of tetrahedra, the hub of hexahedra.
 SetFactory("OpenCASCADE");

@@ -2,7 +2,7 @@
 // Units: mm.
 //
 //     gmsh -3 punch.geo                        the small mesh, punch.msh
-//     gmsh -3 punch.geo -setnumber size 3 -o punch-large.msh
+//     gmsh -3 punch.geo -setnumber size 3
 //
 // `size` divides the lengths of all elements.
 SetFactory("OpenCASCADE");
