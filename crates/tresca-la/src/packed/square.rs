@@ -95,23 +95,22 @@ impl Judge {
                 below[j][i] = value;
             }
         }
-        for j in 0..columns {
+        for (j, above) in above.iter_mut().enumerate().take(columns) {
             let at = order * (column + j) + row;
-            above[j][..rows].copy_from_slice(&values[at..at + rows]);
+            above[..rows].copy_from_slice(&values[at..at + rows]);
         }
-        for j in 0..EDGE {
-            for i in 0..EDGE {
-                let (b, a) = (below[j][i], above[j][i]);
+        for ((column, below), above) in tile.0.iter_mut().zip(&below).zip(&above) {
+            for (i, (&b, &a)) in below.iter().zip(above).enumerate() {
                 self.largest[i] = greater(self.largest[i], greater(a.abs(), b.abs()));
                 self.asymmetry[i] = greater(self.asymmetry[i], (a - b).abs());
                 self.poison[i] += 0.0 * a + 0.0 * b;
                 // Halves first: the sum of two large entries may be infinite. Equal entries stay as they are.
-                tile.0[j][i] = 0.5 * b + 0.5 * a;
+                column[i] = 0.5 * b + 0.5 * a;
             }
         }
         if row == column {
-            for j in 0..EDGE {
-                tile.0[j][..j].fill(0.0);
+            for (j, column) in tile.0.iter_mut().enumerate() {
+                column[..j].fill(0.0);
             }
         }
     }

@@ -9,22 +9,19 @@
 //! Where a few soft motions (bending of plates) govern A, ρ < 2/σmax moves x next to nothing, its active
 //! set says little, and the Newton point may leave Λ so far that its projection raises q. Then the blocks that
 //! left are bound where they left, and the smaller system is solved: pivoting by blocks, until the projected
-//! point counts.
+//! point counts. If that bound too many of them, the method walks from face to face, downhill all the way (see `faces`).
 
+use super::faces::{pivot, walk};
 use super::inner::{Move, conjugate_gradients, direct};
 use super::memory::NewtonMemory;
 use super::preconditioner::Preconditioner;
 use super::run::Step;
 use super::{Point, Run};
 use crate::reduced::ReducedSpace;
-use crate::sets::{BlockState, ProductSet};
+use crate::sets::ProductSet;
 use crate::{ActiveSet, Status};
 use tresca_la::vector::norm;
 
-/// Times that blocks which left Λ are bound and the system is solved again, in one step.
-const MAX_PIVOTS: usize = 30;
-/// Halvings of the Newton step before the projected gradient step is made.
-const MAX_HALVINGS: usize = 3;
 /// Part of the last reduction of the reduced gradient that the next inner system is solved to.
 const FORCING_RATIO: f64 = 0.5;
 /// Part of the wanted reduced gradient below which an inner residual is of no use.
@@ -67,9 +64,10 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
             newton
         };
         let newton = newton_from(run, &x, &active);
-        let (next, length) = match pivot(run, &lambda, &x, active, &newton, &mut newton_from) {
+        let pivoted = pivot(run, &lambda, &x, active.clone(), &newton, &mut newton_from);
+        let (next, length) = match pivoted {
             Some(point) => (point, 1.0),
-            None => search(run, &lambda, x, &newton),
+            None => walk(run, &lambda, x, active, newton, &mut newton_from),
         };
         lambda = next;
         step = Step {
@@ -77,56 +75,6 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
             length,
         };
     }
-}
-
-/// The projection of the Newton point, if it does not raise q above q(x); else that of the Newton point of a
-/// smaller space, which takes the blocks that left Λ as bound where they left. `None` when none of them will do.
-fn pivot(
-    run: &mut Run,
-    lambda: &Point,
-    x: &Point,
-    mut active: ActiveSet,
-    newton: &Point,
-    newton_from: &mut impl FnMut(&mut Run, &Point, &ActiveSet) -> Point,
-) -> Option<Point> {
-    let mut newton = newton.clone();
-    let mut base = x.clone();
-    for _ in 0..=MAX_PIVOTS {
-        let trial = run.projected(&newton);
-        if trial.objective_change_from(x) <= rounding(run, lambda, &trial) {
-            return Some(trial);
-        }
-        let (smaller, bound) = without_those_that_left(&run.set, &active, &base, &newton, &trial)?;
-        active = smaller;
-        base = run.point_unless(bound, &base);
-        newton = newton_from(run, &base, &active);
-    }
-    None
-}
-
-/// The active set without the free blocks that are outside of their sets at the Newton point, and the base point
-/// with these blocks where the projection puts them. `None` when there is no such block.
-fn without_those_that_left(
-    set: &ProductSet,
-    active: &ActiveSet,
-    base: &Point,
-    newton: &Point,
-    projected: &Point,
-) -> Option<(ActiveSet, Vec<f64>)> {
-    let mut states = active.states().to_vec();
-    let mut bound = base.lambda.clone();
-    let mut left = false;
-    for (block, state) in set.blocks().iter().zip(&mut states) {
-        let range = block.range();
-        if *state == BlockState::Free
-            && newton.lambda[range.clone()] != projected.lambda[range.clone()]
-        {
-            *state = BlockState::Bound;
-            bound[range.clone()].copy_from_slice(&projected.lambda[range]);
-            left = true;
-        }
-    }
-    left.then(|| (ActiveSet::new(set.blocks(), states), bound))
 }
 
 /// x = P_Λ(y) and the active set at y = λ − ρ r(λ).
@@ -189,38 +137,10 @@ fn forcing(run: &Run, previous: f64) -> f64 {
     wanted.max(OVERSOLVING * run.tolerance / run.relative)
 }
 
-/// The first of P_Λ(x + α(newton − x)), α = ½, ¼, …, that does not raise q above
-/// q(x), with its α; else x, with α = 0.
-fn search(run: &mut Run, lambda: &Point, x: Point, newton: &Point) -> (Point, f64) {
-    let mut alpha = 0.5;
-    for _ in 0..MAX_HALVINGS {
-        let trial = run.projected(&blend(&x, newton, alpha));
-        if trial.objective_change_from(&x) <= rounding(run, lambda, &trial) {
-            return (trial, alpha);
-        }
-        alpha *= 0.5;
-    }
-    (x, 0.0)
-}
-
-/// x + α (newton − x), gradient included.
-fn blend(x: &Point, newton: &Point, alpha: f64) -> Point {
-    let mix = |x: &[f64], newton: &[f64]| {
-        x.iter()
-            .zip(newton)
-            .map(|(x, n)| x + alpha * (n - x))
-            .collect::<Vec<_>>()
-    };
-    Point {
-        lambda: mix(&x.lambda, &newton.lambda),
-        gradient: mix(&x.gradient, &newton.gradient),
-    }
-}
-
 /// What a computed change of q from `lambda` to `trial` may be wrong by. The part
 /// in |λ|ᵀ|r| is needed: a projected pair is on its circle to rounding only, which
 /// moves q by more than a step does once the reduced gradient is below 1e-8.
-fn rounding(run: &Run, lambda: &Point, trial: &Point) -> f64 {
+pub(super) fn rounding(run: &Run, lambda: &Point, trial: &Point) -> f64 {
     let (mut moved, mut size) = (0.0, 0.0);
     for (i, l) in lambda.lambda.iter().enumerate() {
         moved += (trial.lambda[i] - l).powi(2);

@@ -5,6 +5,7 @@
 
 mod apgd;
 mod compliance;
+mod faces;
 mod gimssn;
 mod grssn;
 mod imssn;

@@ -44,6 +44,22 @@ impl Case {
         &self.file.solver
     }
 
+    /// What reading the meshes of the case found that may be a mistake, body by body.
+    pub fn notes(&self) -> Vec<String> {
+        let bodies = self.file.bodies.iter();
+        bodies
+            .filter_map(|body| match body.mesh.get_ref() {
+                case::Mesh::File(file) => Some((body, file)),
+                case::Mesh::Brick(_) | case::Mesh::Rectangle(_) => None,
+            })
+            .flat_map(|(body, file)| {
+                let name = body.name.get_ref();
+                let notes = file.body.notes.iter();
+                notes.map(move |note| format!("body `{name}`: {note}"))
+            })
+            .collect()
+    }
+
     fn from_file(file: CaseFile<Settings>) -> Result<Self, CaseError> {
         if let Err(error) = file.solver.validate() {
             return Err(setting_error(&file, &error));

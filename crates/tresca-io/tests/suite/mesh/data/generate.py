@@ -8,11 +8,13 @@ each other and with measures that do not depend on the mesh.
 """
 
 import struct
+import os
 from pathlib import Path
 
 import gmsh
 
-HERE = Path(__file__).parent
+# Decks begin with their path: let it be a bare name.
+os.chdir(Path(__file__).parent)
 
 
 def solids():
@@ -125,9 +127,9 @@ def write(name, model, order=1, incomplete=False, dimension=3, formats=("msh", "
             gmsh.option.setNumber("Mesh.MshFileVersion", version)
             gmsh.option.setNumber("Mesh.Binary", binary)
             encoding = "binary" if binary else "text"
-            gmsh.write(str(HERE / f"{name}-{version}-{encoding}.msh"))
+            gmsh.write(f"{name}-{version}-{encoding}.msh")
     if "inp" in formats:
-        gmsh.write(str(HERE / f"{name}.inp"))
+        gmsh.write(f"{name}.inp")
     gmsh.finalize()
 
 
