@@ -45,8 +45,8 @@ pub struct SupportCheck {
     pub name: Option<String>,
     /// Where, as `body.faces`.
     pub on: Vec<String>,
-    /// Prescribed displacements; `None` where free.
-    pub components: [Option<f64>; 3],
+    /// Prescribed displacement of each held axis.
+    pub components: BTreeMap<&'static str, f64>,
     /// Nodes that it holds.
     pub nodes: usize,
 }
@@ -203,7 +203,11 @@ fn support_checks(model: &Model) -> Vec<SupportCheck> {
         .map(|support| SupportCheck {
             name: support.name.clone(),
             on: support.on.iter().map(|on| model.surface_name(on)).collect(),
-            components: support.components,
+            components: ["x", "y", "z"]
+                .into_iter()
+                .zip(support.components)
+                .filter_map(|(axis, value)| Some((axis, value?)))
+                .collect(),
             nodes: support.on.iter().map(|on| model.nodes(on).len()).sum(),
         })
         .collect()

@@ -59,9 +59,9 @@ fn print(check: &Check) {
     }
     println!("\nsupports");
     for support in &check.supports {
-        let axes = ["x", "y", "z"].into_iter().zip(support.components);
-        let held: Vec<String> = axes
-            .filter_map(|(axis, value)| Some(format!("{axis} = {}", value?)))
+        let held = support.components.iter();
+        let held: Vec<String> = held
+            .map(|(axis, value)| format!("{axis} = {value}"))
             .collect();
         println!(
             "    {}{}: {} ({} nodes)",

@@ -133,7 +133,7 @@ pub(super) fn walk(
 
 /// The first point of the projected path from `base` to `newton` at ½, ¼, … that lowers q, with the point that
 /// was projected and how far along it is.
-fn downhill(run: &mut Run, base: &Point, newton: &Point) -> Option<(Point, Point, f64)> {
+pub(super) fn downhill(run: &mut Run, base: &Point, newton: &Point) -> Option<(Point, Point, f64)> {
     let mut alpha = 0.5;
     for _ in 0..MAX_HALVINGS {
         let target = blend(base, newton, alpha);

@@ -11,7 +11,7 @@
 //! left are bound where they left, and the smaller system is solved: pivoting by blocks, until the projected
 //! point counts. If that bound too many of them, the method walks from face to face, downhill all the way (see `faces`).
 
-use super::faces::{pivot, walk};
+use super::faces::{downhill, pivot, walk};
 use super::inner::{Move, conjugate_gradients, direct};
 use super::memory::NewtonMemory;
 use super::preconditioner::Preconditioner;
@@ -65,9 +65,12 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
         };
         let newton = newton_from(run, &x, &active);
         let pivoted = pivot(run, &lambda, &x, active.clone(), &newton, &mut newton_from);
-        let (next, length) = match pivoted {
-            Some(point) => (point, 1.0),
-            None => walk(run, &lambda, x, active, newton, &mut newton_from),
+        let (next, length) = if let Some(point) = pivoted {
+            (point, 1.0)
+        } else if let Some((point, _, length)) = downhill(run, &x, &newton) {
+            (point, length)
+        } else {
+            walk(run, &lambda, x, active, newton, &mut newton_from)
         };
         lambda = next;
         step = Step {

