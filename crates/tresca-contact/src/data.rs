@@ -18,7 +18,8 @@ pub struct Side<'a> {
     /// Nodes of a slave surface that have a pair in another contact already, along an edge that the two
     /// contacts share. A second set of rows there could depend on the first, so mortar coupling and
     /// obstacles leave these nodes to it and give their share to the neighbours. Coupling node by node
-    /// has no neighbours to give to and takes no notice, nor does the master side.
+    /// leaves out those pairs of which both nodes are taken; of the master side it is told the nodes that
+    /// have pairs with the same slave body.
     pub taken: &'a [usize],
 }
 
@@ -85,6 +86,9 @@ pub struct ContactData {
     /// Nodes of the slave surface that have no pair because (almost) nothing faces them, ascending;
     /// without those of [`Side::taken`].
     pub uncoupled: Vec<usize>,
+    /// Nodes of the slave surface whose pair belongs to another contact, with the area that would have been
+    /// theirs here (node by node; mortar coupling gives it to the neighbours).
+    pub shared: Vec<(usize, f64)>,
     /// Pairs left out because supports hold both nodes, or (mortar, obstacles) the normal of the slave node;
     /// the share of the surface that belongs to such a slave node is with its neighbours.
     pub held_pairs: usize,

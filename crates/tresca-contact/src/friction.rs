@@ -123,6 +123,22 @@ pub enum Sliding {
 }
 
 impl Sliding {
+    /// The law of a pair with `factor` times the area: bounds and limits, which are forces, grow along.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            Sliding::Never => Sliding::Never,
+            Sliding::Bounded(bounds) => Sliding::Bounded(bounds.map(|bound| factor * bound)),
+            Sliding::Coulomb {
+                coefficients,
+                limit,
+            } => Sliding::Coulomb {
+                coefficients,
+                limit: factor * limit,
+            },
+        }
+    }
+
     /// The semi-axes of the ellipse under a normal force λν.
     pub fn bounds(&self, normal_force: f64) -> Option<[f64; 2]> {
         match *self {

@@ -1,5 +1,7 @@
 //! Coupling of surfaces whose nodes lie on one another.
 
+use std::collections::BTreeSet;
+
 use crate::frame::dot;
 use crate::pair::{Location, coupling, pair};
 use crate::pairing::pair_node_by_node;
@@ -7,6 +9,8 @@ use crate::{ContactData, ContactError, ContactSurface, Discretization, Field, In
 
 /// Couples two surfaces whose nodes lie on one another: a pair for each two nodes, with B = ±1 in its
 /// frame.
+///
+/// Nodes that are [taken](Side::taken) on both sides get no second pair.
 ///
 /// For linear faces only: on quadratic ones the areas ∫ φ_i of corner nodes are zero or negative.
 ///
@@ -31,9 +35,15 @@ pub fn couple_node_by_node(
     let count = slave_surface.nodes.len();
     let mut pairs = Vec::with_capacity(count);
     let mut nodes = [Vec::with_capacity(count), Vec::with_capacity(count)];
-    let mut held_pairs = 0;
+    let (mut held_pairs, mut shared) = (0, Vec::new());
+    let taken = [slave, master].map(|side| side.taken.iter().copied().collect::<BTreeSet<_>>());
     for (index, (node, &partner)) in slave_surface.nodes.iter().zip(&partners).enumerate() {
         let partner = &master_surface.nodes[partner];
+        // Another contact of these two bodies couples these two nodes already: its rows span all of ours.
+        if taken[0].contains(&node.node) && taken[1].contains(&partner.node) {
+            shared.push((node.node, node.area));
+            continue;
+        }
         let free = std::array::from_fn(|component| {
             component < slave.mesh.dimension()
                 && (slave.dofs.free(node.node, component).is_some()
@@ -66,6 +76,7 @@ pub fn couple_node_by_node(
         master_coupling: Some(master_coupling),
         discretization: Discretization::NodeByNode,
         uncoupled: Vec::new(),
+        shared,
         held_pairs,
     })
 }

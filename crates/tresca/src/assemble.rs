@@ -167,23 +167,54 @@ pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactDa
         let taken: Vec<usize> = same_slave
             .flat_map(|(_, data)| data.pairs.iter().map(|pair| pair.slave_node))
             .collect();
-        let data = coupled(model, contact, dofs, &taken);
-        contacts.push(data.map_err(|source| ModelError::Coupling {
+        let bodies = |contact: &Contact| {
+            let master = contact.master.surface().map(|master| master.body);
+            (contact.slave.body, master)
+        };
+        let same_bodies: Vec<usize> = (0..index)
+            .filter(|&k| bodies(&model.contacts()[k]) == bodies(contact))
+            .collect();
+        let partners: Vec<usize> = same_bodies
+            .iter()
+            .flat_map(|&k| contacts[k].pairs.iter().filter_map(|pair| pair.master_node))
+            .collect();
+        let data = coupled(model, contact, dofs, [&taken, &partners]);
+        let data = data.map_err(|source| ModelError::Coupling {
             contact: index,
             slave: model.surface_name(&contact.slave),
             master: model.partner_name(&contact.master),
             source,
-        })?);
+        })?;
+        hand_over(&mut contacts, &data.shared, &same_bodies);
+        contacts.push(data);
     }
     Ok(contacts)
 }
 
-/// The geometry of a contact; `taken` are slave nodes that other contacts have.
+/// Adds the areas of shared nodes to the pairs that have them; the law of these pairs holds there.
+fn hand_over(contacts: &mut [ContactData], shared: &[(usize, f64)], same_bodies: &[usize]) {
+    for &(node, area) in shared {
+        let mut pairs = same_bodies.iter().flat_map(|&k| {
+            let pairs = contacts[k].pairs.iter().enumerate();
+            let own = pairs.filter(|(_, pair)| pair.slave_node == node);
+            own.map(move |(i, _)| (k, i)).collect::<Vec<_>>()
+        });
+        let found = pairs.next();
+        if let Some((contact, index)) = found {
+            let pair = &mut contacts[contact].pairs[index];
+            let grown = (pair.area + area) / pair.area;
+            pair.area += area;
+            pair.sliding = pair.sliding.scaled(grown);
+        }
+    }
+}
+
+/// The geometry of a contact; `taken` are nodes of both sides that other contacts have.
 fn coupled(
     model: &Model,
     contact: &Contact,
     dofs: &[DofMap],
-    taken: &[usize],
+    taken: [&[usize]; 2],
 ) -> Result<ContactData, ContactError> {
     let side = |surface: &Surface, taken| Side {
         mesh: &model.bodies()[surface.body].mesh,
@@ -195,11 +226,11 @@ fn coupled(
         friction: &contact.friction,
         gap: &contact.gap,
     };
-    let slave = side(&contact.slave, taken);
+    let slave = side(&contact.slave, taken[0]);
     match &contact.master {
         Partner::Surface(master) => couple(
             slave,
-            side(master, &[]),
+            side(master, taken[1]),
             interface,
             contact.coupling,
             contact.search,

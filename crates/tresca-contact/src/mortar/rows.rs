@@ -103,6 +103,7 @@ pub(crate) fn assemble(
         discretization,
         overlap_area: integrals.iter().map(|face| face.area).sum(),
         uncoupled,
+        shared: Vec::new(),
         held_pairs,
     })
 }

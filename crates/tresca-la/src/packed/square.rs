@@ -91,8 +91,8 @@ impl Judge {
         let mut above = [[0.0; EDGE]; EDGE];
         for i in 0..rows {
             let at = order * (row + i) + column;
-            for (j, &value) in values[at..at + columns].iter().enumerate() {
-                below[j][i] = value;
+            for (below, &value) in below.iter_mut().zip(&values[at..at + columns]) {
+                below[i] = value;
             }
         }
         for (j, above) in above.iter_mut().enumerate().take(columns) {

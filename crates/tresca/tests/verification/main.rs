@@ -8,6 +8,7 @@ mod floating;
 mod hertz;
 mod hysteresis;
 mod load_steps;
+mod mindlin_sphere;
 mod orthotropic;
 mod patch;
 mod plane;

@@ -25,12 +25,7 @@ fn block(kind: CellKind, min: [f64; 3], max: [f64; 3], nodes: [usize; 3]) -> Mes
 }
 
 /// Two blocks, pressed together between rollers; `slope` inclines the interface.
-fn blocks(
-    upper: (CellKind, [usize; 3]),
-    lower: (CellKind, [usize; 3]),
-    slope: f64,
-    law: FrictionLaw,
-) -> Model {
+fn blocks(upper: Cells, lower: Cells, slope: f64, law: FrictionLaw) -> Model {
     let face = |body, faces| SurfaceRef { body, faces };
     let steel = Isotropic::new(2.1e5, 0.3).unwrap();
     // Straight sides stay straight, the interface becomes a plane across the column.
@@ -94,7 +89,10 @@ fn deviation(outcome: &Outcome, slope: f64) -> f64 {
     deviations.fold(0.0, f64::max)
 }
 
-const MIXTURES: [((CellKind, [usize; 3]), (CellKind, [usize; 3])); 9] = [
+/// Cells, and the nodes of the brick that they are made of.
+type Cells = (CellKind, [usize; 3]);
+
+const MIXTURES: [(Cells, Cells); 9] = [
     ((CellKind::Hex8, [4, 5, 3]), (CellKind::Hex8, [6, 4, 3])),
     ((CellKind::Tet4, [4, 4, 3]), (CellKind::Hex8, [5, 6, 3])),
     ((CellKind::Hex8, [6, 5, 3]), (CellKind::Tet4, [4, 4, 3])),
@@ -194,5 +192,66 @@ fn a_constant_pressure_crosses_an_interface_in_the_plane() {
             ));
             assert!(error < 1e-10, "{space:?}, {above} on {below}: {error:e}");
         }
+    }
+}
+
+/// Two contacts share the edge along which a face was cut: no row stands twice, and no area is lost.
+#[test]
+fn a_face_cut_in_two_carries_what_it_did_in_one_piece() {
+    for method in [CouplingMethod::NodeByNode, CouplingMethod::Mortar] {
+        let face = |body, faces| SurfaceRef { body, faces };
+        let steel = Isotropic::new(2.1e5, 0.3).unwrap();
+        let mut model = Model::new("a face cut in two");
+        for (body, low) in [("upper", 1.0), ("lower", 0.0)] {
+            let mut mesh = brick(&BrickSpec {
+                min: [0.0, 0.0, low],
+                max: [2.0, 1.0, low + 1.0],
+                nodes: [5, 4, 3],
+            })
+            .unwrap();
+            let whole = mesh.face_sets[if low > 0.0 { "z-" } else { "z+" }].clone();
+            let (left, right): (Vec<_>, Vec<_>) = whole.into_iter().partition(|&face| {
+                let nodes = mesh.face_nodes(face);
+                nodes.iter().map(|&node| mesh.points[node][0]).sum::<f64>() < nodes.len() as f64
+            });
+            assert!(!left.is_empty() && !right.is_empty());
+            mesh.face_sets.insert("left".into(), left);
+            mesh.face_sets.insert("right".into(), right);
+            model.add_body(body, mesh, steel).unwrap();
+            model
+                .support(None, &[face(body, "x-")], [Some(0.0), None, None])
+                .unwrap();
+            model
+                .support(None, &[face(body, "y-")], [None, Some(0.0), None])
+                .unwrap();
+        }
+        model
+            .support(None, &[face("lower", "z-")], [None, None, Some(0.0)])
+            .unwrap();
+        let on = vec![model.resolve(face("upper", "z+")).unwrap()];
+        let value = Field::Constant(PRESSURE);
+        model
+            .add_load(None, LoadKind::Pressure { on, value })
+            .unwrap();
+        for side in ["left", "right"] {
+            model
+                .add_contact_as(ContactSpec {
+                    coupling: method,
+                    ..ContactSpec::new(
+                        face("upper", side),
+                        face("lower", side),
+                        FrictionLaw::tresca(0.5),
+                    )
+                })
+                .unwrap();
+        }
+        let outcome = solved(&model);
+        let area: f64 = outcome.last().pairs().map(|pair| pair.pair.area).sum();
+        assert!((area - 2.0).abs() < 1e-12, "{method:?}: area {area}");
+        let error = deviation(&outcome, 0.0);
+        report(&format!(
+            "patch test, face cut in two, {method:?}: {error:.1e}"
+        ));
+        assert!(error < 1e-10, "{method:?}: {error:e}");
     }
 }
