@@ -3,10 +3,12 @@
 //! Packing is bound by memory as multiplying is: a matrix of order 5000 is 200 MB, read in the time of
 //! three multiplications. Whatever is to be known of the entries is found on the same way.
 
+use std::mem::MaybeUninit;
+
 use rayon::prelude::*;
 
 use super::PackedLower;
-use super::kernels::{EDGE, Tile};
+use super::kernels::{EDGE, Isa, Tile};
 
 /// Panels that one task packs: 64 entries of a row are read in one go.
 const PANELS: usize = 8;
@@ -29,11 +31,18 @@ impl PackedLower {
     /// When there are not order² values.
     pub fn symmetric_part(order: usize, values: &[f64]) -> (Self, SquareReport) {
         assert_eq!(values.len(), order * order, "a square matrix");
-        let mut packed = Self::zeros(order);
         let edges = order.div_ceil(EDGE);
+        let count = edges * (edges + 1) / 2;
+        let mut packed = Self {
+            order,
+            tiles: Vec::with_capacity(count),
+            isa: Isa::best(),
+        };
         let ends = (0..edges).map(|panel| packed.panel_start(panel + 1));
         let ends: Vec<usize> = ends.collect();
-        let mut rest = &mut packed.tiles[..];
+        // The tiles are written where they are made: zeros first would be one more sweep, on one thread.
+        let mut tiles = std::mem::take(&mut packed.tiles);
+        let mut rest = &mut tiles.spare_capacity_mut()[..count];
         let mut tasks = Vec::new();
         let mut begin = 0;
         for first in (0..edges).step_by(PANELS) {
@@ -49,6 +58,10 @@ impl PackedLower {
             judge
         });
         let report = judges.reduce(Judge::default, Judge::with).report();
+        // SAFETY: the tasks cover all panels, and `Judge::pack` writes each tile of its panels once: those of
+        // the rows from the diagonal down to the last.
+        unsafe { tiles.set_len(count) };
+        packed.tiles = tiles;
         (packed, report)
     }
 }
@@ -69,23 +82,24 @@ impl Judge {
         order: usize,
         values: &[f64],
         panels: std::ops::Range<usize>,
-        tiles: &mut [Tile],
+        tiles: &mut [MaybeUninit<Tile>],
     ) {
         let edges = order.div_ceil(EDGE);
         for first in (panels.start..edges).step_by(PANELS) {
             let mut start = 0;
             for panel in panels.clone() {
                 for block in first.max(panel)..edges.min(first + PANELS) {
-                    let tile = &mut tiles[start + block - panel];
-                    self.fill(order, values, block * EDGE, panel * EDGE, tile);
+                    let tile = self.tile(order, values, block * EDGE, panel * EDGE);
+                    tiles[start + block - panel].write(tile);
                 }
                 start += edges - panel;
             }
         }
     }
 
-    /// Fills the tile of the rows from `row` and the columns from `column` on.
-    fn fill(&mut self, order: usize, values: &[f64], row: usize, column: usize, tile: &mut Tile) {
+    /// The tile of the rows from `row` and the columns from `column` on.
+    fn tile(&mut self, order: usize, values: &[f64], row: usize, column: usize) -> Tile {
+        let mut tile = Tile::ZERO;
         let (rows, columns) = (EDGE.min(order - row), EDGE.min(order - column));
         let mut below = [[0.0; EDGE]; EDGE];
         let mut above = [[0.0; EDGE]; EDGE];
@@ -113,6 +127,7 @@ impl Judge {
                 column[..j].fill(0.0);
             }
         }
+        tile
     }
 
     fn with(self, other: Self) -> Self {
