@@ -6,14 +6,10 @@
 //! It belongs to A alone, so that what was learnt under one active set (or one
 //! right-hand side) serves the next.
 
-use rayon::prelude::*;
 use tresca_la::vector::{axpy, dot};
 
 /// A direction of which less than this part (in the squared A-norm) is new is not kept.
 const LEAST_NEW: f64 = 1e-6;
-
-/// Entries of a vector that stay in the first cache while all known directions are subtracted.
-const PIECE: usize = 1024;
 
 /// A-orthonormal directions P and their products W = AP.
 #[derive(Clone, Debug)]
@@ -68,13 +64,11 @@ impl RecycledProducts {
         }
         // Gram–Schmidt in the A inner product; twice is enough.
         for _ in 0..2 {
-            let shares: Vec<f64> = self
-                .products
-                .par_iter()
-                .map(|known| dot(known, &p))
-                .collect();
-            subtract(&shares, &self.directions, &mut p);
-            subtract(&shares, &self.products, &mut w);
+            let shares: Vec<f64> = self.products.iter().map(|known| dot(known, &p)).collect();
+            for (k, share) in shares.iter().enumerate() {
+                axpy(-share, &self.directions[k], &mut p);
+                axpy(-share, &self.products[k], &mut w);
+            }
             if !normalise(&mut p, &mut w, LEAST_NEW) {
                 return;
             }
@@ -82,17 +76,6 @@ impl RecycledProducts {
         self.directions.push(p);
         self.products.push(w);
     }
-}
-
-/// x ← x − Σ shares_k known_k, piece by piece of x on many threads: the same sums whatever their number.
-fn subtract(shares: &[f64], known: &[Vec<f64>], x: &mut [f64]) {
-    let pieces = x.par_chunks_mut(PIECE).enumerate();
-    pieces.for_each(|(piece, x)| {
-        let first = piece * PIECE;
-        for (share, known) in shares.iter().zip(known) {
-            axpy(-share, &known[first..first + x.len()], x);
-        }
-    });
 }
 
 /// Scales p and w = Ap so that pᵀw = 1; `false` when pᵀw is not above `least`.
