@@ -219,10 +219,21 @@ def slow(seconds):
     return product
 
 
-def test_ctrl_c_ends_a_solve():
-    problem = random_problem(8, pairs=40)
+@pytest.fixture
+def ctrl_c():
+    """A timer that interrupts the main thread once.
+
+    Programs started in the background ignore interrupts: Python's own handler is set for the test.
+    """
     main = threading.main_thread().ident
-    timer = threading.Timer(0.2, lambda: signal.pthread_kill(main, signal.SIGINT))
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield lambda seconds: threading.Timer(seconds, lambda: signal.pthread_kill(main, signal.SIGINT))
+    signal.signal(signal.SIGINT, before)
+
+
+def test_ctrl_c_ends_a_solve(ctrl_c):
+    problem = random_problem(8, pairs=40)
+    timer = ctrl_c(0.2)
 
     def wait(record):
         # Signals arrive between bytecodes: as a loop of plain Python would see them.
@@ -232,20 +243,20 @@ def test_ctrl_c_ends_a_solve():
     with pytest.raises(KeyboardInterrupt):
         tresca.solve(problem.K, problem.f, problem.N, problem.T, problem.gap, problem.bound, callback=wait)
     timer.join()
+    timer = ctrl_c(0.2)
     with pytest.raises(KeyboardInterrupt):
-        timer = threading.Timer(0.2, lambda: signal.pthread_kill(main, signal.SIGINT))
         timer.start()
         tresca.solve_dual(slow(0.01), np.ones(400), tangents=0, tolerance=1e-14)
     timer.join()
 
 
-def test_ctrl_c_without_any_python_code():
+def test_ctrl_c_without_any_python_code(ctrl_c):
     problem = random_problem(9, pairs=400)
-    main = threading.main_thread().ident
-    timer = threading.Timer(0.3, lambda: signal.pthread_kill(main, signal.SIGINT))
+    timer = ctrl_c(0.3)
     timer.start()
+    end = time.monotonic() + 30
     with pytest.raises(KeyboardInterrupt):
-        while True:
+        while time.monotonic() < end:
             tresca.solve(problem.K, problem.f, problem.N, problem.T, problem.gap, problem.bound)
     timer.join()
 
