@@ -7,6 +7,7 @@
 //! which it is read.
 
 mod kernels;
+mod pages;
 mod square;
 
 use faer::{Mat, MatRef};
@@ -26,9 +27,12 @@ impl PackedLower {
     /// Zero of order n.
     pub fn zeros(order: usize) -> Self {
         let edges = order.div_ceil(EDGE);
+        let count = edges * (edges + 1) / 2;
+        let mut tiles = pages::room_for(count);
+        tiles.resize(count, Tile::ZERO);
         Self {
             order,
-            tiles: vec![Tile::ZERO; edges * (edges + 1) / 2],
+            tiles,
             isa: Isa::best(),
         }
     }

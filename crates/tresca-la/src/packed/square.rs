@@ -7,7 +7,7 @@ use std::mem::MaybeUninit;
 
 use rayon::prelude::*;
 
-use super::PackedLower;
+use super::{PackedLower, pages};
 use super::kernels::{EDGE, Isa, Tile};
 
 /// Panels that one task packs: 64 entries of a row are read in one go.
@@ -35,7 +35,7 @@ impl PackedLower {
         let count = edges * (edges + 1) / 2;
         let mut packed = Self {
             order,
-            tiles: Vec::with_capacity(count),
+            tiles: pages::room_for(count),
             isa: Isa::best(),
         };
         let ends = (0..edges).map(|panel| packed.panel_start(panel + 1));
