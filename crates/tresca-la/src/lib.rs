@@ -5,17 +5,20 @@
 //! needs on top of them.
 
 mod cholesky;
+mod kernels;
 pub mod krylov;
 mod operator;
 mod ordering;
 mod packed;
 mod parallelism;
+mod square;
 mod symmetric;
 pub mod vector;
 
 pub use cholesky::{FactorError, SparseCholesky, TrailingBlock};
-pub use operator::LinearOperator;
+pub use operator::{LinearOperator, SymmetricEntries};
 pub use ordering::{Ordering, OrderingError};
-pub use packed::{PackedLower, SquareReport};
+pub use packed::PackedLower;
 pub use parallelism::Parallelism;
+pub use square::{SquareMatrix, SquareReport};
 pub use symmetric::SymmetricMatrix;

@@ -10,3 +10,9 @@ pub trait LinearOperator {
     /// y ← A x.
     fn apply(&mut self, x: &[f64], y: &mut [f64]);
 }
+
+/// A symmetric matrix whose entries can be asked for.
+pub trait SymmetricEntries: Sync {
+    /// The entry (i, j), i ≥ j.
+    fn entry(&self, i: usize, j: usize) -> f64;
+}

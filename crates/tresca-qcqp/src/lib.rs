@@ -78,7 +78,7 @@ pub use coulomb::CoulombBound;
 pub use equality::Equality;
 pub use error::QcqpError;
 pub use observe::{Observer, Silent};
-pub use operator::DualOperator;
+pub use operator::{DualOperator, Tally};
 pub use problem::DualProblem;
 pub use record::IterationRecord;
 pub use sets::ProductSet;

@@ -15,8 +15,10 @@ use crate::{CoulombBound, DualOperator, Equality, ProductSet, QcqpError};
 ///
 /// What a solve learns about A (the estimate of σmax, products to precondition with) is kept for
 /// the next one, so that another b or other bounds cost no more than they must.
-pub struct DualProblem {
-    pub(crate) operator: Box<dyn DualOperator>,
+///
+/// `'a` is how long the operator may live: it may work on memory that it does not own.
+pub struct DualProblem<'a> {
+    pub(crate) operator: Box<dyn DualOperator + 'a>,
     pub(crate) rhs: Vec<f64>,
     pub(crate) set: ProductSet,
     pub(crate) law: CoulombLaw,
@@ -24,13 +26,13 @@ pub struct DualProblem {
     pub(crate) memory: Option<Memory>,
 }
 
-impl DualProblem {
+impl<'a> DualProblem<'a> {
     /// Puts the parts together: `operator` A, `rhs` b, `set` Λ.
     ///
     /// # Errors
     /// When the sizes differ or b is not finite.
     pub fn new(
-        operator: impl DualOperator + 'static,
+        operator: impl DualOperator + 'a,
         rhs: Vec<f64>,
         set: ProductSet,
     ) -> Result<Self, QcqpError> {
@@ -119,12 +121,12 @@ impl DualProblem {
     }
 
     /// A.
-    pub fn operator(&self) -> &dyn DualOperator {
+    pub fn operator(&self) -> &(dyn DualOperator + 'a) {
         &*self.operator
     }
 
     /// A, to multiply with.
-    pub fn operator_mut(&mut self) -> &mut dyn DualOperator {
+    pub fn operator_mut(&mut self) -> &mut (dyn DualOperator + 'a) {
         &mut *self.operator
     }
 

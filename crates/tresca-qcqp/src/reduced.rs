@@ -17,7 +17,7 @@ use crate::sets::{BlockSet, BlockState, ProductSet};
 use crate::{ActiveSet, DualOperator};
 use faer::{ColMut, Mat};
 use rayon::prelude::*;
-use tresca_la::{LinearOperator, PackedLower};
+use tresca_la::{LinearOperator, SymmetricEntries};
 
 /// The direction in which a slipping pair may move.
 #[derive(Clone, Copy, Debug)]
@@ -130,7 +130,7 @@ impl ReducedSpace {
     }
 
     /// ZᵀAZ + C as a dense matrix, lower triangle only. Columns are computed side by side.
-    pub fn assemble(&self, a: &PackedLower) -> Mat<f64> {
+    pub fn assemble(&self, a: &dyn SymmetricEntries) -> Mat<f64> {
         let columns: Vec<Column> = self.columns().collect();
         let order = columns.len();
         let mut matrix = Mat::zeros(order, order);
@@ -138,7 +138,7 @@ impl ReducedSpace {
             let own = columns[j];
             // A z_j where it is needed, then Zᵀ of it.
             let entry = |row: usize| {
-                let of = |i: usize| a.get(i.max(row), i.min(row));
+                let of = |i: usize| a.entry(i.max(row), i.min(row));
                 let first = own.weights[0] * of(own.rows[0]);
                 if own.weights[1] == 0.0 {
                     first

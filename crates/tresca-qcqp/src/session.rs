@@ -7,6 +7,7 @@ use crate::coulomb::CoulombLaw;
 use crate::methods::{self, Memory, Point, Run};
 use crate::{
     ActiveSet, DualOperator, IterationRecord, Observer, ProductSet, Settings, Solution, Status,
+    Tally,
 };
 
 /// What the inner problems share.
@@ -18,12 +19,12 @@ pub(crate) struct Session<'a> {
     pub journal: Journal,
 }
 
-/// The records of all inner problems so far, and the count of products before the first.
+/// The records of all inner problems so far, and the products before the first.
 pub(crate) struct Journal {
     pub records: Vec<IterationRecord>,
     /// Number of inner problems begun.
     pub problems: usize,
-    pub n_a_before: usize,
+    pub before: Tally,
     pub n_a_setup: usize,
     /// The observer has asked to stop. An inner problem that has just converged says so all the
     /// same: the outer iterations look here before they begin another.
@@ -117,21 +118,22 @@ impl Session<'_> {
 
     /// The outcome as the caller sees it.
     pub fn into_solution(self, ending: Ending) -> Solution {
-        let n_a = *self.operator.counter();
+        let tally = *self.operator.tally();
         let sigma = self.memory.spectrum.sigma;
-        ending.into_solution(self.settings, self.journal, n_a, sigma)
+        ending.into_solution(self.settings, self.journal, tally, sigma)
     }
 }
 
 impl Ending {
-    /// The outcome as the caller sees it, after `n_a` products that the operator has counted.
+    /// The outcome as the caller sees it, after the products that the operator has counted.
     pub fn into_solution(
         self,
         settings: &Settings,
         journal: Journal,
-        n_a: usize,
+        tally: Tally,
         sigma_max: f64,
     ) -> Solution {
+        let spent = tally - journal.before;
         Solution {
             status: self.status,
             method: settings.method,
@@ -146,7 +148,8 @@ impl Ending {
             outer_iterations: self.outer_iterations,
             outer_residual: self.outer_residual,
             iterations: journal.steps(),
-            n_a: n_a - journal.n_a_before,
+            n_a: spent.count,
+            seconds_in_products: spent.time.as_secs_f64(),
             records: journal.records,
             n_a_setup: journal.n_a_setup,
             sigma_max,

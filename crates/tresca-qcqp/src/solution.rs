@@ -47,6 +47,8 @@ pub struct Solution {
     pub n_a: usize,
     /// The part of `n_a` that went into the estimate of σmax.
     pub n_a_setup: usize,
+    /// Wall-clock seconds in these multiplications.
+    pub seconds_in_products: f64,
     /// The estimate of the largest eigenvalue of A (an upper bound up to luck; 0 if it was not needed).
     pub sigma_max: f64,
 }

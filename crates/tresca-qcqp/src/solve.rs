@@ -33,17 +33,17 @@ pub fn solve(
             check_vector("the start", start.multiplier, problem.equality_rows())?;
         }
     }
-    let n_a_before = *problem.operator.counter();
+    let before = *problem.operator.tally();
     let mut journal = Journal {
         records: Vec::new(),
         problems: 0,
-        n_a_before,
+        before,
         n_a_setup: 0,
         stop: false,
     };
     if let Some(ending) = at_rest(problem) {
         problem.set = ending.set.clone();
-        return Ok(ending.into_solution(settings, journal, n_a_before, 0.0));
+        return Ok(ending.into_solution(settings, journal, before, 0.0));
     }
     let DualProblem {
         operator,
@@ -57,7 +57,7 @@ pub fn solve(
         Some(memory) => memory,
         none => none.insert(Memory::new(spectrum::estimate(&mut **operator)?)),
     };
-    journal.n_a_setup = *operator.counter() - n_a_before;
+    journal.n_a_setup = operator.tally().count - before.count;
     let mut session = Session {
         operator: &mut **operator,
         memory,

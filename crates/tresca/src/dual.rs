@@ -118,7 +118,7 @@ pub fn dual_problem(
     assembled: &Assembled,
     factored: &Factored,
     engine: Engine,
-) -> Result<DualProblem, ModelError> {
+) -> Result<DualProblem<'static>, ModelError> {
     let slidings: Vec<_> = assembled.pairs().map(|pair| pair.sliding).collect();
     let groups = groups_of_neighbours(model.dimension(), assembled);
     let bodies = assembled.elastic();

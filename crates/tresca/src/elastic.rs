@@ -111,7 +111,7 @@ pub(crate) fn dual_problem(
     slidings: &[Sliding],
     groups: Vec<Vec<usize>>,
     engine: Engine,
-) -> Result<DualProblem, QcqpError> {
+) -> Result<DualProblem<'static>, QcqpError> {
     let set = layout.set(slidings)?;
     let rhs = vec![0.0; layout.unknowns()];
     let problem = match engine {

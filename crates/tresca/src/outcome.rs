@@ -23,6 +23,8 @@ pub struct Times {
     pub factorization: f64,
     /// The dual problems of all steps, estimate of σmax included.
     pub solve: f64,
+    /// Multiplications by A, a part of the solve.
+    pub multiplications: f64,
     /// Loads, displacements and certificates.
     pub recovery: f64,
 }

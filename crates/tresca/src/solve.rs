@@ -51,7 +51,7 @@ pub struct Prepared {
     /// The factors.
     pub factored: Factored,
     /// A, b and Λ.
-    pub dual: DualProblem,
+    pub dual: DualProblem<'static>,
     /// Sizes and engine.
     pub description: Description,
     /// Seconds spent on assembly and factorisation.
@@ -272,6 +272,7 @@ impl Prepared {
             .map(|(lambda, multiplier)| Start { lambda, multiplier });
         let solution = tresca_qcqp::solve(&mut self.dual, settings, start, &mut observer)?;
         times.solve += begin.elapsed().as_secs_f64();
+        times.multiplications += solution.seconds_in_products;
 
         // From here on the result exists; an interruption must not lose it.
         let _ = progress.stage(Stage::Recovery);

@@ -173,6 +173,8 @@ pub struct TimesSummary {
     pub factorization: f64,
     /// The dual problem.
     pub solve: f64,
+    /// Multiplications by A, a part of the solve.
+    pub multiplications: f64,
     /// Displacements and certificate.
     pub recovery: f64,
     /// Stresses and writing of the result files (the summary itself excepted).
@@ -218,6 +220,7 @@ impl Summary {
                 contact: times.contact,
                 factorization: times.factorization,
                 solve: times.solve,
+                multiplications: times.multiplications,
                 recovery: times.recovery,
                 output,
                 total: times.total() + output,

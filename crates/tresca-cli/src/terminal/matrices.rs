@@ -53,10 +53,11 @@ pub fn print(summary: &Summary, directory: &Path) {
     }
     let times = &summary.times;
     println!(
-        "times: check {}, factorisation {}, solve {}, recovery {}, total {}",
+        "times: check {}, factorisation {}, solve {} ({} of it in multiplications), recovery {}, total {}",
         seconds(times.check),
         seconds(times.factorization),
         seconds(times.solve),
+        seconds(times.multiplications),
         seconds(times.recovery),
         seconds(times.total)
     );

@@ -42,10 +42,11 @@ pub fn print(summary: &Summary, directory: &Path) {
     }
     let times = &summary.times;
     print!(
-        "times: assembly {}, factorisation {}, solve {}, recovery {}, output {}, total {}",
+        "times: assembly {}, factorisation {}, solve {} ({} of it in multiplications), recovery {}, output {}, total {}",
         seconds(times.assembly),
         seconds(times.factorization),
         seconds(times.solve),
+        seconds(times.multiplications),
         seconds(times.recovery),
         seconds(times.output),
         seconds(times.total)

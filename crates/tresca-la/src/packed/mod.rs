@@ -6,13 +6,11 @@
 //! 8×8 tiles from the diagonal down, and everything is stored in the order in
 //! which it is read.
 
-mod kernels;
 mod pages;
-mod square;
 
+use crate::SymmetricEntries;
+use crate::kernels::{self, Chunk, Isa, LANES as EDGE, Tile};
 use faer::{Mat, MatRef};
-use kernels::{Chunk, EDGE, Isa, Tile};
-pub use square::SquareReport;
 
 /// A lower triangle of order n in n(n + 8)/2 entries: of a triangular matrix L,
 /// or standing for the symmetric matrix S with this lower triangle.
@@ -193,6 +191,12 @@ impl PackedLower {
                 symmetric_tile_product(diagonal, &x_last, y_last);
             }
         });
+    }
+}
+
+impl SymmetricEntries for PackedLower {
+    fn entry(&self, i: usize, j: usize) -> f64 {
+        self.get(i, j)
     }
 }
 

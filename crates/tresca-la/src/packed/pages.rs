@@ -4,7 +4,7 @@
 //! first and an address translation in every sweep. Where the system has pages of 2 MiB for those who ask
 //! (Linux with transparent huge pages set to `madvise` or `always`), this asks; elsewhere nothing changes.
 
-use super::kernels::Tile;
+use crate::kernels::Tile;
 
 /// Bytes from which asking is worth a system call.
 #[cfg(target_os = "linux")]

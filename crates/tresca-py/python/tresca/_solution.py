@@ -94,7 +94,8 @@ class Solution:
     settings : dict
         All options as they were in force.
     times : dict
-        Wall-clock seconds.
+        Wall-clock seconds: ``check``, ``factorization``, ``solve`` (``multiplications`` by A are a part of it),
+        ``recovery`` and their ``total``.
     summary : dict
         The figures of the result, as the command line writes them.
     kernel_amounts : ndarray

@@ -11,8 +11,8 @@
 use super::recycle::RecycledProducts;
 use crate::operator::{LocalBlock, LocalModel};
 use crate::reduced::{Column, ReducedSpace, galerkin};
-use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::matmul::matmul;
+use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Accum, ColMut, ColRef, Mat, Par, Side};
 use rayon::prelude::*;

@@ -266,7 +266,7 @@ impl<'a> Run<'a> {
             counts: judged.active.counts(),
             set_changes: last.map_or(0, |last| judged.active.changes(&last.active)),
             inner_iterations: step.inner_iterations,
-            n_a: *self.operator.counter() - self.journal.n_a_before,
+            n_a: self.operator.tally().count - self.journal.before.count,
             step_length: step.length,
         }
     }

@@ -1,7 +1,7 @@
 //! A through the Schur complements on the contact dofs.
 
 use super::local_model::{self, LocalModel};
-use super::{Coupling, Dense, DualOperator};
+use super::{Coupling, Dense, DualOperator, Tally};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use rayon::prelude::*;
@@ -22,7 +22,7 @@ struct Body {
 pub struct Condensed {
     bodies: Vec<Body>,
     groups: Vec<Vec<usize>>,
-    count: usize,
+    tally: Tally,
 }
 
 impl Condensed {
@@ -53,7 +53,7 @@ impl Condensed {
         Self {
             bodies: bodies.into_iter().map(body).collect(),
             groups,
-            count: 0,
+            tally: Tally::default(),
         }
     }
 
@@ -120,8 +120,8 @@ impl DualOperator for Condensed {
         super::sum_in_order(self.bodies.iter().map(|body| &body.product[..]), y);
     }
 
-    fn counter(&mut self) -> &mut usize {
-        &mut self.count
+    fn tally(&mut self) -> &mut Tally {
+        &mut self.tally
     }
 
     fn local_model(&self) -> LocalModel {

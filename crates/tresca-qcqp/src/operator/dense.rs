@@ -1,14 +1,14 @@
 //! A as a dense matrix.
 
-use super::{DualOperator, LocalModel};
-use tresca_la::PackedLower;
+use super::{DualOperator, LocalModel, Tally};
+use tresca_la::{PackedLower, SymmetricEntries};
 
 /// An explicit symmetric matrix A; one multiplication reads its triangle once.
 #[derive(Clone, Debug)]
 pub struct Dense {
     matrix: PackedLower,
     local_model: LocalModel,
-    count: usize,
+    tally: Tally,
 }
 
 impl Dense {
@@ -25,7 +25,7 @@ impl Dense {
         Self {
             matrix,
             local_model,
-            count: 0,
+            tally: Tally::default(),
         }
     }
 }
@@ -39,15 +39,15 @@ impl DualOperator for Dense {
         self.matrix.symmetric_mul(x, y);
     }
 
-    fn counter(&mut self) -> &mut usize {
-        &mut self.count
+    fn tally(&mut self) -> &mut Tally {
+        &mut self.tally
     }
 
     fn local_model(&self) -> LocalModel {
         self.local_model.clone()
     }
 
-    fn explicit(&self) -> Option<&PackedLower> {
+    fn explicit(&self) -> Option<&dyn SymmetricEntries> {
         Some(&self.matrix)
     }
 }

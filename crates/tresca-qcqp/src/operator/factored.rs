@@ -1,7 +1,7 @@
 //! A through the whole sparse factor of every body.
 
 use super::local_model::{self, LocalModel};
-use super::{Coupling, DualOperator};
+use super::{Coupling, DualOperator, Tally};
 use faer::Mat;
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -21,7 +21,7 @@ struct Body {
 pub struct Factored {
     bodies: Vec<Body>,
     local_model: LocalModel,
-    count: usize,
+    tally: Tally,
 }
 
 impl Factored {
@@ -64,7 +64,7 @@ impl Factored {
         Self {
             bodies: bodies.into_iter().map(body).collect(),
             local_model,
-            count: 0,
+            tally: Tally::default(),
         }
     }
 }
@@ -98,8 +98,8 @@ impl DualOperator for Factored {
         super::sum_in_order(self.bodies.iter().map(|body| &body.product[..]), y);
     }
 
-    fn counter(&mut self) -> &mut usize {
-        &mut self.count
+    fn tally(&mut self) -> &mut Tally {
+        &mut self.tally
     }
 
     fn local_model(&self) -> LocalModel {

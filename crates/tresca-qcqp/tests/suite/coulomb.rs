@@ -34,7 +34,11 @@ fn settings(coulomb: CoulombMethod) -> Settings {
     }
 }
 
-fn run(plain: &Plain, law: Vec<CoulombBound>, settings: &Settings) -> (DualProblem, Solution) {
+fn run(
+    plain: &Plain,
+    law: Vec<CoulombBound>,
+    settings: &Settings,
+) -> (DualProblem<'static>, Solution) {
     let mut problem = plain.problem().with_coulomb(law).unwrap();
     let solution = solve(&mut problem, settings, None, &mut Silent).unwrap();
     (problem, solution)

@@ -130,11 +130,11 @@ fn assert_conforms(operator: &mut dyn DualOperator, exact: &Mat<f64>) {
     let rng = &mut rng(77);
     let (x, z) = (normals(rng, n), normals(rng, n));
     let multiply = |operator: &mut dyn DualOperator, x: &[f64]| {
-        let before = *operator.counter();
+        let before = operator.tally().count;
         // The output is overwritten, not read.
         let mut y = vec![f64::NAN; n];
         DualOperator::apply(operator, x, &mut y);
-        assert_eq!(*operator.counter(), before + 1);
+        assert_eq!(operator.tally().count, before + 1);
         y
     };
     let (ax, az) = (multiply(operator, &x), multiply(operator, &z));
@@ -154,7 +154,7 @@ fn assert_conforms(operator: &mut dyn DualOperator, exact: &Mat<f64>) {
     if let Some(matrix) = operator.explicit() {
         for j in 0..n {
             for i in j..n {
-                assert!((matrix.get(i, j) - exact[(i, j)]).abs() <= 1e-12 * exact.norm_max());
+                assert!((matrix.entry(i, j) - exact[(i, j)]).abs() <= 1e-12 * exact.norm_max());
             }
         }
     }
@@ -356,13 +356,13 @@ impl DualOperator for Boxed {
     fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
         self.0.multiply(x, y);
     }
-    fn counter(&mut self) -> &mut usize {
-        self.0.counter()
+    fn tally(&mut self) -> &mut tresca_qcqp::Tally {
+        self.0.tally()
     }
     fn local_model(&self) -> LocalModel {
         self.0.local_model()
     }
-    fn explicit(&self) -> Option<&tresca_la::PackedLower> {
+    fn explicit(&self) -> Option<&dyn tresca_la::SymmetricEntries> {
         self.0.explicit()
     }
 }

@@ -141,8 +141,8 @@ impl DualOperator for Breaking {
             None => y[0] = f64::NAN,
         }
     }
-    fn counter(&mut self) -> &mut usize {
-        self.inner.counter()
+    fn tally(&mut self) -> &mut tresca_qcqp::Tally {
+        self.inner.tally()
     }
     fn local_model(&self) -> LocalModel {
         self.inner.local_model()
@@ -265,7 +265,7 @@ fn wrong_input_is_refused_with_the_place() {
 #[test]
 fn operators_that_cannot_be_dual_operators_are_refused() {
     /// Any matrix at all.
-    struct Any(Mat<f64>, usize);
+    struct Any(Mat<f64>, tresca_qcqp::Tally);
     impl DualOperator for Any {
         fn dim(&self) -> usize {
             self.0.nrows()
@@ -275,7 +275,7 @@ fn operators_that_cannot_be_dual_operators_are_refused() {
                 *y = (0..x.len()).map(|j| self.0[(i, j)] * x[j]).sum();
             }
         }
-        fn counter(&mut self) -> &mut usize {
+        fn tally(&mut self) -> &mut tresca_qcqp::Tally {
             &mut self.1
         }
         fn local_model(&self) -> LocalModel {
@@ -284,7 +284,7 @@ fn operators_that_cannot_be_dual_operators_are_refused() {
     }
     let refusal = |entry: &dyn Fn(usize, usize) -> f64| {
         let set = ProductSet::contact_3d(&[1.0; 3]).unwrap();
-        let operator = Any(Mat::from_fn(9, 9, entry), 0);
+        let operator = Any(Mat::from_fn(9, 9, entry), Default::default());
         let mut problem = DualProblem::new(operator, vec![1.0; 9], set).unwrap();
         solve(&mut problem, &Settings::default(), None, &mut Silent).unwrap_err()
     };

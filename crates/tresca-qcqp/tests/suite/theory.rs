@@ -119,7 +119,7 @@ fn grssn_survives_an_estimate_of_the_spectrum_that_is_too_low() {
         calls: usize,
         quiet: usize,
         top: f64,
-        count: usize,
+        count: tresca_qcqp::Tally,
     }
     impl DualOperator for Spike {
         fn dim(&self) -> usize {
@@ -133,7 +133,7 @@ fn grssn_survives_an_estimate_of_the_spectrum_that_is_too_low() {
                 y[0] += self.top * x[0];
             }
         }
-        fn counter(&mut self) -> &mut usize {
+        fn tally(&mut self) -> &mut tresca_qcqp::Tally {
             &mut self.count
         }
         fn local_model(&self) -> LocalModel {
@@ -166,7 +166,7 @@ fn grssn_survives_an_estimate_of_the_spectrum_that_is_too_low() {
             calls: 0,
             quiet: honest.n_a_setup,
             top,
-            count: 0,
+            count: Default::default(),
         };
         let mut problem = DualProblem::new(spike, plain.b.clone(), plain.set.clone()).unwrap();
         let start = normals(&mut problems::rng(seed), n);

@@ -5,7 +5,6 @@ use crate::common::problems::{Kind, normals, random, rng};
 use crate::common::{Plain, distance, norm, settings};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tresca_la::PackedLower;
 use tresca_qcqp::operator::{Dense, LocalModel};
 use tresca_qcqp::sets::{Block, BlockSet, Disc, Interval};
 use tresca_qcqp::{
@@ -28,13 +27,13 @@ impl DualOperator for Watched {
         self.seen.fetch_add(1, Ordering::Relaxed);
         self.inner.multiply(x, y);
     }
-    fn counter(&mut self) -> &mut usize {
-        self.inner.counter()
+    fn tally(&mut self) -> &mut tresca_qcqp::Tally {
+        self.inner.tally()
     }
     fn local_model(&self) -> LocalModel {
         self.inner.local_model()
     }
-    fn explicit(&self) -> Option<&PackedLower> {
+    fn explicit(&self) -> Option<&dyn tresca_la::SymmetricEntries> {
         self.inner.explicit().filter(|_| self.explicit)
     }
 }

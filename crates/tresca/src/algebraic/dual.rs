@@ -3,99 +3,23 @@
 use std::time::Instant;
 
 use tresca_contact::Mobility;
-use tresca_la::PackedLower;
 use tresca_la::vector::{dot, norm};
-use tresca_qcqp::operator::{Dense, LocalModel};
 use tresca_qcqp::{DualProblem, Settings, Start};
 
+use super::operator::{Function, Matrix, Operator, Scaling};
 use super::{AlgebraicError, Forces, Friction, Law, Note, Solution, check};
 use crate::layout::Layout;
 use crate::measures::{Elastic, Interface, Pairs, certificate, largest, scale};
 use crate::progress::{Progress, Stage};
 use crate::{Certificate, Times};
 
-/// Relative asymmetry up to which A is symmetrised.
-const ALLOWED_ASYMMETRY: f64 = 1e-8;
-
-/// A, order dm: what contact forces do to relative displacements.
-pub enum Operator {
-    /// A dense matrix, made by [`Operator::dense`].
-    Dense {
-        /// (A + Aᵀ)/2.
-        matrix: PackedLower,
-        /// max |A_ij − A_ji| / max |A_ij| of what was given.
-        asymmetry: f64,
-    },
-    /// A function that computes y ← A x.
-    Product {
-        /// Order of A.
-        order: usize,
-        /// Overwrites y and does not read it. A product that cannot be had is best filled with NaN: the
-        /// solve then ends with an error or with `diverged`.
-        apply: Product,
-        /// diag(A), if known: preconditions.
-        diagonal: Option<Vec<f64>>,
-    },
-}
-
-/// y ← A x.
-pub type Product = Box<dyn FnMut(&[f64], &mut [f64]) + Send>;
-
-impl Operator {
-    /// From a dense matrix, row by row. It must be symmetric; a small asymmetry is averaged out.
-    ///
-    /// # Errors
-    /// When there are not order² values, one is not finite, or A is not symmetric.
-    pub fn dense(order: usize, values: &[f64]) -> Result<Self, AlgebraicError> {
-        let expected = "order × order";
-        if values.len() != order * order {
-            check::vector("A", values, order * order, expected)?;
-        }
-        let (matrix, seen) = PackedLower::symmetric_part(order, values);
-        if !seen.finite {
-            check::vector("A", values, order * order, expected)?;
-        }
-        let asymmetry = if seen.largest > 0.0 {
-            seen.asymmetry / seen.largest
-        } else {
-            0.0
-        };
-        if asymmetry > ALLOWED_ASYMMETRY {
-            let (row, column) = most_asymmetric(order, values);
-            return Err(AlgebraicError::DualNotSymmetric {
-                row,
-                column,
-                asymmetry,
-            });
-        }
-        Ok(Operator::Dense { matrix, asymmetry })
-    }
-
-    /// From a function that computes y ← A x for vectors of length `order`.
-    pub fn product(order: usize, apply: impl FnMut(&[f64], &mut [f64]) + Send + 'static) -> Self {
-        Operator::Product {
-            order,
-            apply: Box::new(apply),
-            diagonal: None,
-        }
-    }
-
-    /// Order of A.
-    pub fn order(&self) -> usize {
-        match self {
-            Operator::Dense { matrix, .. } => matrix.order(),
-            Operator::Product { order, .. } => *order,
-        }
-    }
-}
-
 /// min ½ λᵀAλ − λᵀb over the admissible λ = \[λν (m); λτ ((d−1)m, components of a pair adjacent)\].
 ///
 /// Aλ − b is \[gap left; −slip\]: with the matrices of a [`Problem`](super::Problem), A = B K⁻¹ Bᵀ and
 /// b = B K⁻¹ f − \[d; 0\].
-pub struct Dual {
+pub struct Dual<'a> {
     /// A.
-    pub operator: Operator,
+    pub operator: Operator<'a>,
     /// b.
     pub rhs: Vec<f64>,
     /// Tangents per pair: 0, 1 or 2.
@@ -106,10 +30,10 @@ pub struct Dual {
     pub start: Option<Forces>,
 }
 
-impl Dual {
+impl<'a> Dual<'a> {
     /// A problem without a start.
     pub fn new(
-        operator: Operator,
+        operator: Operator<'a>,
         rhs: Vec<f64>,
         tangents: usize,
         friction: impl Into<Friction>,
@@ -198,27 +122,19 @@ pub fn solve_dual(
         lambda = Some(layout.unknowns_of(&[&start.normal[..], &start.tangential].concat()));
     }
     let weighted_rhs = layout.dual(&rhs);
+    let scaling = Scaling::new(&layout);
     let mut problem = match operator {
-        Operator::Dense { mut matrix, .. } => {
-            weigh(&mut matrix, &layout);
-            DualProblem::new(Dense::new(matrix), weighted_rhs, set)?
+        Operator::Dense { matrix, .. } => {
+            DualProblem::new(Matrix::new(matrix, scaling), weighted_rhs, set)?
         }
         Operator::Product {
-            order,
-            apply,
-            diagonal,
+            apply, diagonal, ..
         } => {
             if let Some(diagonal) = &diagonal {
                 check::vector("the diagonal of A", diagonal, order, "order of A")?;
             }
-            let operator = Weighted {
-                apply,
-                diagonal: layout.dual(&layout.dual(&diagonal.unwrap_or_else(|| vec![1.0; order]))),
-                weights: layout.weights().to_vec(),
-                scratch: vec![0.0; order],
-                count: 0,
-            };
-            DualProblem::new(operator, weighted_rhs, set)?
+            let diagonal = diagonal.unwrap_or_else(|| vec![1.0; order]);
+            DualProblem::new(Function::new(apply, diagonal, scaling), weighted_rhs, set)?
         }
     }
     .with_coulomb(coulomb)?;
@@ -237,6 +153,7 @@ pub fn solve_dual(
     let start = lambda.as_deref().map(Start::from);
     let solution = tresca_qcqp::solve(&mut problem, settings, start, &mut observer)?;
     let solve = begin.elapsed().as_secs_f64();
+    let multiplications = solution.seconds_in_products;
 
     let _ = progress.stage(Stage::Recovery);
     let begin = Instant::now();
@@ -248,69 +165,10 @@ pub fn solve_dual(
         contact: 0.0,
         factorization: 0.0,
         solve,
+        multiplications,
         recovery: begin.elapsed().as_secs_f64(),
     };
     Ok(outcome)
-}
-
-/// Where |A_ij − A_ji| is largest, i > j; the first of several.
-fn most_asymmetric(order: usize, values: &[f64]) -> (usize, usize) {
-    let mut worst = (0.0, (0, 0));
-    for i in 0..order {
-        for j in 0..i {
-            let difference = (values[order * i + j] - values[order * j + i]).abs();
-            if difference > worst.0 {
-                worst = (difference, (i, j));
-            }
-        }
-    }
-    worst.1
-}
-
-/// diag(w) A diag(w).
-fn weigh(matrix: &mut PackedLower, layout: &Layout) {
-    let weights = layout.weights();
-    if weights.iter().all(|&w| w == 1.0) {
-        return;
-    }
-    for (i, wi) in weights.iter().enumerate() {
-        for (j, wj) in weights.iter().enumerate().take(i + 1) {
-            if wi * wj != 1.0 {
-                matrix.set(i, j, wi * wj * matrix.get(i, j));
-            }
-        }
-    }
-}
-
-/// diag(w) A diag(w), A a function.
-struct Weighted {
-    apply: Product,
-    diagonal: Vec<f64>,
-    weights: Vec<f64>,
-    scratch: Vec<f64>,
-    count: usize,
-}
-
-impl tresca_qcqp::DualOperator for Weighted {
-    fn dim(&self) -> usize {
-        self.weights.len()
-    }
-
-    fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        for ((s, x), w) in self.scratch.iter_mut().zip(x).zip(&self.weights) {
-            *s = x * w;
-        }
-        (self.apply)(&self.scratch, y);
-        y.iter_mut().zip(&self.weights).for_each(|(y, w)| *y *= w);
-    }
-
-    fn counter(&mut self) -> &mut usize {
-        &mut self.count
-    }
-
-    fn local_model(&self) -> LocalModel {
-        LocalModel::Diagonal(self.diagonal.clone())
-    }
 }
 
 fn recover(

@@ -94,7 +94,7 @@ impl fmt::Display for Note {
             ),
             Note::DualSymmetrised { asymmetry } => write!(
                 f,
-                "A had a relative asymmetry of {asymmetry:.1e}; solved with (A + Aᵀ)/2"
+                "A had a relative asymmetry of {asymmetry:.1e}; solved with one of its triangles for both"
             ),
             Note::Parts { parts } => {
                 write!(

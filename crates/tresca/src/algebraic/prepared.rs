@@ -28,7 +28,7 @@ pub struct Prepared {
     mobility: Vec<Mobility>,
     layout: Layout,
     bodies: Bodies,
-    dual: DualProblem,
+    dual: DualProblem<'static>,
     description: Description,
     notes: Vec<Note>,
     times: Times,
@@ -227,7 +227,7 @@ impl Prepared {
     }
 
     /// The dual problem min ½ λᵀAλ − λᵀb as it stands, in the solver's unknowns.
-    pub fn dual(&mut self) -> &mut DualProblem {
+    pub fn dual(&mut self) -> &mut DualProblem<'static> {
         &mut self.dual
     }
 
@@ -263,6 +263,7 @@ impl Prepared {
             .map(|(lambda, multiplier)| Start { lambda, multiplier });
         let solution = tresca_qcqp::solve(&mut self.dual, settings, start, &mut observer)?;
         times.solve = begin.elapsed().as_secs_f64();
+        times.multiplications = solution.seconds_in_products;
 
         let _ = progress.stage(Stage::Recovery);
         let begin = Instant::now();

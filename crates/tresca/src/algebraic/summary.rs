@@ -95,6 +95,8 @@ pub struct TimeFigures {
     pub factorization: f64,
     /// The dual problem.
     pub solve: f64,
+    /// Multiplications by A, a part of the solve.
+    pub multiplications: f64,
     /// Displacements and certificate.
     pub recovery: f64,
     /// All of it.
@@ -144,6 +146,7 @@ impl Summary {
                 check: times.assembly,
                 factorization: times.factorization,
                 solve: times.solve,
+                multiplications: times.multiplications,
                 recovery: times.recovery,
                 total: times.total(),
             },

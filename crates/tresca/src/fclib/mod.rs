@@ -138,7 +138,7 @@ fn dual_problem(
     problem: &Problem,
     reduced: &Reduced,
     law: Law,
-) -> Result<DualProblem, ProblemError> {
+) -> Result<DualProblem<'static>, ProblemError> {
     let contacts = problem.contacts();
     let bound = match law {
         Law::Coulomb => 0.0,

@@ -102,6 +102,8 @@ pub struct Times {
     pub preparation: f64,
     /// The solve.
     pub solve: f64,
+    /// Multiplications by W, a part of the solve.
+    pub multiplications: f64,
 }
 
 impl Summary {
@@ -153,6 +155,7 @@ impl Summary {
             times: Times {
                 preparation: outcome.preparation,
                 solve: outcome.solve,
+                multiplications: solution.seconds_in_products,
             },
             settings: settings.clone(),
         }

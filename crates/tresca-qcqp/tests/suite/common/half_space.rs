@@ -179,7 +179,7 @@ impl Floating {
         }
     }
 
-    pub fn problem(&self) -> DualProblem {
+    pub fn problem(&self) -> DualProblem<'static> {
         let Plain { b, set, .. } = &self.plain;
         DualProblem::new(Dense::new(self.plain.packed()), b.clone(), set.clone())
             .unwrap()

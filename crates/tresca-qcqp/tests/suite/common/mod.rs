@@ -30,7 +30,7 @@ impl Plain {
         packed
     }
 
-    pub fn problem(&self) -> DualProblem {
+    pub fn problem(&self) -> DualProblem<'static> {
         DualProblem::new(Dense::new(self.packed()), self.b.clone(), self.set.clone()).unwrap()
     }
 
