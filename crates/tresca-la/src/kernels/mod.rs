@@ -4,9 +4,11 @@
 
 mod rows;
 mod tiles;
+mod vectors;
 
 pub(crate) use rows::{row_products, row_report};
 pub(crate) use tiles::{Tile, both_products, subtract_product, transposed_product};
+pub(crate) use vectors::{axpy, dot};
 
 /// Numbers that are worked on together: one AVX-512 register, two of AVX2.
 pub(crate) const LANES: usize = 8;

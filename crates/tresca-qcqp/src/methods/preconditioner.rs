@@ -5,29 +5,35 @@
 //! ```
 //!
 //! with the operator's local model D, block diagonal, and the recycled products
-//! W with their Gram matrix G: D serves what no product has shown yet. M⁻¹ by the
-//! Woodbury formula.
+//! W with their Gram matrix G: D serves what no product has shown yet. With
+//! ZᵀDZ + C = LLᵀ, block by block, and U = L⁻¹ZᵀW the Woodbury formula reads
+//!
+//! ```text
+//! M⁻¹ = L⁻ᵀ (I − U (G + UᵀU)⁻¹ Uᵀ) L⁻¹.
+//! ```
 
 use super::recycle::RecycledProducts;
 use crate::operator::{LocalBlock, LocalModel};
 use crate::reduced::{Column, ReducedSpace, galerkin};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
-use faer::linalg::solvers::{Llt, Solve};
+use faer::linalg::solvers::Llt;
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Accum, ColMut, ColRef, Mat, Par, Side};
 use rayon::prelude::*;
+use tresca_la::vector::{axpy, dot};
 use tresca_la::{LinearOperator, PackedLower};
 
 /// M⁻¹.
 pub(super) struct Preconditioner {
-    local: LocalInverse,
+    local: LocalFactor,
     low_rank: Option<LowRank>,
 }
 
 impl Preconditioner {
     /// M for the space of Z and C.
     pub fn new(space: &ReducedSpace, model: &LocalModel, recycled: &RecycledProducts) -> Self {
-        let mut local = LocalInverse::new(space, model);
+        let mut local = LocalFactor::new(space, model);
         let low_rank = LowRank::new(space, &mut local, recycled);
         Self { local, low_rank }
     }
@@ -40,15 +46,16 @@ impl LinearOperator for Preconditioner {
 
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         z.copy_from_slice(r);
-        self.local.solve_in_place(z);
+        self.local.solve_lower_in_place(z);
         if let Some(low_rank) = &mut self.low_rank {
             low_rank.correct(z);
         }
+        self.local.solve_upper_in_place(z);
     }
 }
 
-/// (ZᵀDZ + C)⁻¹, block by block.
-struct LocalInverse {
+/// L⁻¹ with ZᵀDZ + C = LLᵀ, block by block.
+struct LocalFactor {
     dim: usize,
     blocks: Vec<(Vec<usize>, Mat<f64>)>,
     diagonal: Vec<f64>,
@@ -56,7 +63,7 @@ struct LocalInverse {
     own: Vec<f64>,
 }
 
-impl LocalInverse {
+impl LocalFactor {
     fn new(space: &ReducedSpace, model: &LocalModel) -> Self {
         let columns: Vec<Column> = space.columns().collect();
         let dim = columns.len();
@@ -64,7 +71,8 @@ impl LocalInverse {
             LocalModel::Diagonal(d) => {
                 let entry = |column: &Column| {
                     let ([i, j], [v, w]) = (column.rows, column.weights);
-                    (d[i] * v * v + d[j] * w * w + column.curvature).recip()
+                    let square = d[i] * v * v + d[j] * w * w + column.curvature;
+                    square.sqrt().recip()
                 };
                 Self {
                     dim,
@@ -75,34 +83,59 @@ impl LocalInverse {
             }
             LocalModel::Blocks(blocks) => Self {
                 dim,
-                blocks: invert_blocks(&columns, blocks),
+                blocks: factor_blocks(&columns, blocks),
                 diagonal: Vec::new(),
                 own: Vec::new(),
             },
         }
     }
 
-    fn solve_in_place(&mut self, z: &mut [f64]) {
+    /// z ← L⁻¹ z.
+    fn solve_lower_in_place(&mut self, z: &mut [f64]) {
+        self.solve_in_place(z, |inverse, own, product| {
+            product.fill(0.0);
+            for (j, own) in own.iter().enumerate() {
+                axpy(*own, column(inverse, j), &mut product[j..]);
+            }
+        });
+    }
+
+    /// z ← L⁻ᵀ z.
+    fn solve_upper_in_place(&mut self, z: &mut [f64]) {
+        self.solve_in_place(z, |inverse, own, product| {
+            for (j, product) in product.iter_mut().enumerate() {
+                *product = dot(column(inverse, j), &own[j..]);
+            }
+        });
+    }
+
+    fn solve_in_place(&mut self, z: &mut [f64], solve: impl Fn(&Mat<f64>, &[f64], &mut [f64])) {
         for (z, d) in z.iter_mut().zip(&self.diagonal) {
             *z *= d;
         }
-        let own = &mut self.own;
         for (members, inverse) in &self.blocks {
-            own.clear();
-            own.extend(members.iter().map(|&k| z[k]));
-            for (row, &k) in members.iter().enumerate() {
-                z[k] = own
-                    .iter()
-                    .zip(inverse.col(row).iter())
-                    .map(|(o, i)| o * i)
-                    .sum();
+            self.own.clear();
+            self.own.extend(members.iter().map(|&k| z[k]));
+            self.own.resize(2 * members.len(), 0.0);
+            let (own, product) = self.own.split_at_mut(members.len());
+            solve(inverse, own, product);
+            for (&k, &product) in members.iter().zip(&*product) {
+                z[k] = product;
             }
         }
     }
 }
 
-/// The inverse of every block that has columns of Z, with the numbers of these columns.
-fn invert_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, Mat<f64>)> {
+/// Column j of a lower triangle, from the diagonal down.
+fn column(lower: &Mat<f64>, j: usize) -> &[f64] {
+    lower
+        .col(j)
+        .try_as_col_major()
+        .map_or(&[], |c| &c.as_slice()[j..])
+}
+
+/// L⁻¹ of every block that has columns of Z, with the numbers of these columns.
+fn factor_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, Mat<f64>)> {
     let unknowns = 1 + blocks
         .iter()
         .flat_map(|b| &b.unknowns)
@@ -130,9 +163,11 @@ fn invert_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, 
         let matrix = galerkin(&own, entry);
         let mut inverse = Mat::identity(own.len(), own.len());
         match Llt::new(matrix.as_ref(), Side::Lower) {
-            Ok(factor) => factor.solve_in_place(inverse.as_mut()),
+            Ok(factor) => {
+                solve_lower_triangular_in_place(factor.L(), inverse.as_mut(), Par::Seq);
+            }
             // Semidefinite to rounding: its diagonal alone.
-            Err(_) => (0..own.len()).for_each(|i| inverse[(i, i)] = matrix[(i, i)].recip()),
+            Err(_) => (0..own.len()).for_each(|i| inverse[(i, i)] = matrix[(i, i)].sqrt().recip()),
         }
         (members, inverse)
     };
@@ -147,10 +182,9 @@ fn invert_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, 
         .collect()
 }
 
-/// V = ZᵀW, D⁻¹V with D for ZᵀDZ + C, and the factor of G + VᵀD⁻¹V.
+/// U = L⁻¹ZᵀW, and the factor of G + UᵀU.
 struct LowRank {
-    v: Mat<f64>,
-    scaled: Mat<f64>,
+    u: Mat<f64>,
     capacitance: PackedLower,
     share: Vec<f64>,
 }
@@ -159,59 +193,50 @@ impl LowRank {
     /// `None` when nothing is kept yet (or the small matrix is not finite: D alone then serves).
     fn new(
         space: &ReducedSpace,
-        local: &mut LocalInverse,
+        local: &mut LocalFactor,
         recycled: &RecycledProducts,
     ) -> Option<Self> {
         let (rows, rank) = (space.dim(), recycled.len());
         if rank == 0 || rows == 0 {
             return None;
         }
-        let (mut v, mut scaled) = (Mat::zeros(rows, rank), Mat::zeros(rows, rank));
-        let mut column = vec![0.0; rows];
+        let mut u = Mat::zeros(rows, rank);
         for (j, product) in recycled.products().enumerate() {
-            space.restrict(product, &mut column);
-            v.col_mut(j).copy_from(ColRef::from_slice(&column));
-            local.solve_in_place(&mut column);
-            scaled.col_mut(j).copy_from(ColRef::from_slice(&column));
+            let column = u.col_mut(j).try_as_col_major_mut()?.as_slice_mut();
+            space.restrict(product, column);
+            local.solve_lower_in_place(column);
         }
         let mut capacitance = recycled.gram();
         triangular::matmul(
             capacitance.as_mut(),
             BlockStructure::TriangularLower,
             Accum::Add,
-            v.transpose(),
+            u.transpose(),
             BlockStructure::Rectangular,
-            scaled.as_ref(),
+            u.as_ref(),
             BlockStructure::Rectangular,
             1.0,
             Par::Seq,
         );
         let capacitance = Llt::new(capacitance.as_ref(), Side::Lower).ok()?;
         Some(Self {
-            v,
-            scaled,
+            u,
             capacitance: PackedLower::from_lower(capacitance.L()),
             share: vec![0.0; rank],
         })
     }
 
-    /// z ← z − D⁻¹V (G + VᵀD⁻¹V)⁻¹ Vᵀ z, for z = D⁻¹ r.
+    /// z ← z − U (G + UᵀU)⁻¹ Uᵀ z.
     fn correct(&mut self, z: &mut [f64]) {
-        let v = self.v.transpose();
         let share = ColMut::from_slice_mut(&mut self.share);
-        matmul(
-            share,
-            Accum::Replace,
-            v,
-            ColRef::from_slice(z),
-            1.0,
-            Par::Seq,
-        );
+        let u = self.u.as_ref();
+        let from = ColRef::from_slice(z);
+        matmul(share, Accum::Replace, u.transpose(), from, 1.0, Par::Seq);
         self.capacitance.solve_lower_in_place(&mut self.share);
         self.capacitance.solve_upper_in_place(&mut self.share);
         let share = ColRef::from_slice(&self.share);
         let z = ColMut::from_slice_mut(z);
-        matmul(z, Accum::Add, self.scaled.as_ref(), share, -1.0, Par::Seq);
+        matmul(z, Accum::Add, u, share, -1.0, Par::Seq);
     }
 }
 
@@ -220,6 +245,7 @@ mod tests {
     use super::*;
     use crate::sets::ProductSet;
     use faer::Col;
+    use faer::linalg::solvers::Solve;
 
     const PAIRS: usize = 7;
     const DIM: usize = 3 * PAIRS;
