@@ -5,8 +5,9 @@
 //! of P, and nowhere above A. It belongs to A alone, so that what was learnt under one active set
 //! (or one right-hand side) serves the next.
 //!
-//! The directions are not made orthogonal and not even kept: one sweep over W gives the new row of
-//! the Gram matrix, where Gram and Schmidt would need six over W and P to keep WWᵀ accurate.
+//! The directions are not made orthogonal and not even kept: one sweep over W gives the new rows of
+//! the Gram matrix, where Gram and Schmidt would need six over W and P for each of them. Nobody asks
+//! for what a CG run has shown before its end, so one sweep serves the whole run.
 
 use faer::Mat;
 use tresca_la::vector::dot;
@@ -21,6 +22,8 @@ pub(crate) struct RecycledProducts {
     products: Vec<Vec<f64>>,
     /// The Cholesky factor of PᵀAP row by row, row i up to the diagonal.
     factor: Vec<Vec<f64>>,
+    /// Directions, A-norm 1, with their products, that are not in W yet.
+    offered: Vec<(Vec<f64>, Vec<f64>)>,
 }
 
 impl RecycledProducts {
@@ -30,6 +33,7 @@ impl RecycledProducts {
             capacity,
             products: Vec::new(),
             factor: Vec::new(),
+            offered: Vec::new(),
         }
     }
 
@@ -39,6 +43,8 @@ impl RecycledProducts {
         // The factor of a leading block is the leading block of the factor.
         self.products.truncate(capacity);
         self.factor.truncate(capacity);
+        let room = capacity - self.len();
+        self.offered.truncate(room);
     }
 
     /// Number of products kept.
@@ -63,9 +69,9 @@ impl RecycledProducts {
         })
     }
 
-    /// Keeps the product of `direction` with A if enough of the direction is new.
+    /// Offers the product of `direction` with A, to be kept if there is room and enough of the direction is new.
     pub fn offer(&mut self, direction: &[f64], product: &[f64]) {
-        if self.len() >= self.capacity {
+        if self.len() + self.offered.len() >= self.capacity {
             return;
         }
         let square = dot(direction, product);
@@ -73,20 +79,40 @@ impl RecycledProducts {
             return;
         }
         let scale = square.sqrt().recip();
-        // The new row of the factor: L l = PᵀAp, and what is left of pᵀAp = 1 on the diagonal.
-        let mut row: Vec<f64> = Vec::with_capacity(self.len() + 1);
-        for (known, above) in self.products.iter().zip(&self.factor) {
-            let j = row.len();
-            let rest = scale * dot(known, direction) - dot(&above[..j], &row);
-            row.push(rest / above[j]);
+        let scaled = |v: &[f64]| v.iter().map(|v| scale * v).collect();
+        self.offered.push((scaled(direction), scaled(product)));
+    }
+
+    /// Takes into W what has been offered since the last time.
+    pub fn settle(&mut self) {
+        let offered = std::mem::take(&mut self.offered);
+        // PᵀAp of every offered p with the P before the offer, each product of W read once.
+        let mut known = vec![Vec::with_capacity(self.capacity); offered.len()];
+        for product in &self.products {
+            for (known, (direction, _)) in known.iter_mut().zip(&offered) {
+                known.push(dot(product, direction));
+            }
+        }
+        for (mut gram, (direction, product)) in known.into_iter().zip(offered) {
+            let newer = &self.products[gram.len()..];
+            gram.extend(newer.iter().map(|product| dot(product, &direction)));
+            if let Some(row) = self.factor_row(gram) {
+                self.factor.push(row);
+                self.products.push(product);
+            }
+        }
+    }
+
+    /// The row of the factor for a direction with this PᵀAp and pᵀAp = 1; `None` when too little of it is new.
+    fn factor_row(&self, gram: Vec<f64>) -> Option<Vec<f64>> {
+        let mut row = gram;
+        for (j, above) in self.factor.iter().enumerate() {
+            row[j] = (row[j] - dot(&above[..j], &row[..j])) / above[j];
         }
         let new = 1.0 - dot(&row, &row);
-        if !(new > LEAST_NEW) {
-            return;
-        }
-        row.push(new.sqrt());
-        self.factor.push(row);
-        self.products
-            .push(product.iter().map(|w| scale * w).collect());
+        (new > LEAST_NEW).then(|| {
+            row.push(new.sqrt());
+            row
+        })
     }
 }
