@@ -79,7 +79,12 @@ fn responses(
 fn iterative(session: &mut Session, space: &ReducedSpace, rhs: &[f64], accuracy: f64) -> Vec<f64> {
     let capacity = session.settings.recycled_directions;
     let newton = session.memory.newton(session.operator, capacity);
-    let mut preconditioner = Preconditioner::new(space, &newton.model, &mut newton.recycled);
+    let mut preconditioner = Preconditioner::new(
+        space,
+        &newton.model,
+        &mut newton.recycled,
+        &mut newton.workspace,
+    );
     let mut system = ReducedOperator::new(&mut *session.operator, space);
     let mut s = vec![0.0; space.dim()];
     let mut cg = ConjugateGradient::with_capacity(space.dim());

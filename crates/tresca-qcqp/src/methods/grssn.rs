@@ -28,7 +28,11 @@ const FORCING_RATIO: f64 = 0.5;
 const OVERSOLVING: f64 = 0.3;
 
 pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Status {
-    let NewtonMemory { model, recycled } = memory;
+    let NewtonMemory {
+        model,
+        recycled,
+        workspace,
+    } = memory;
     let mut previous = f64::INFINITY;
     let mut lambda = start;
     let mut step = Step::START;
@@ -48,7 +52,7 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
                 inner += 1;
                 return newton;
             }
-            let mut preconditioner = Preconditioner::new(&space, model, recycled);
+            let mut preconditioner = Preconditioner::new(&space, model, recycled, workspace);
             let keep = |_: &Point, step: &Move| {
                 recycled.offer(step.direction, step.product);
                 true

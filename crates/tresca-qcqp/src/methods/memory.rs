@@ -17,6 +17,8 @@ pub(crate) struct Memory {
 pub(crate) struct NewtonMemory {
     pub model: LocalModel,
     pub recycled: RecycledProducts,
+    /// Memory of one preconditioner after another.
+    pub workspace: Vec<f64>,
 }
 
 impl Memory {
@@ -41,6 +43,7 @@ impl Memory {
             NewtonMemory {
                 model: calibrated_model(operator, spectrum),
                 recycled,
+                workspace: Vec::new(),
             }
         });
         newton.recycled.set_capacity(capacity);

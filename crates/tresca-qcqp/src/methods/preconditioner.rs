@@ -19,28 +19,34 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::solvers::Llt;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Accum, ColMut, ColRef, Mat, Par, Side};
+use faer::{Accum, ColMut, ColRef, Mat, MatRef, Par, Side};
 use rayon::prelude::*;
 use tresca_la::vector::{axpy, dot};
 use tresca_la::{LinearOperator, PackedLower};
 
 /// M⁻¹.
-pub(super) struct Preconditioner {
+pub(super) struct Preconditioner<'a> {
     local: LocalFactor,
-    low_rank: Option<LowRank>,
+    low_rank: Option<LowRank<'a>>,
 }
 
-impl Preconditioner {
-    /// M for the space of Z and C.
-    pub fn new(space: &ReducedSpace, model: &LocalModel, recycled: &mut RecycledProducts) -> Self {
+impl<'a> Preconditioner<'a> {
+    /// M for the space of Z and C. `memory` is where U goes: megabytes that every Newton step would otherwise
+    /// ask the system for.
+    pub fn new(
+        space: &ReducedSpace,
+        model: &LocalModel,
+        recycled: &mut RecycledProducts,
+        memory: &'a mut Vec<f64>,
+    ) -> Self {
         recycled.settle();
         let mut local = LocalFactor::new(space, model);
-        let low_rank = LowRank::new(space, &mut local, recycled);
+        let low_rank = LowRank::new(space, &mut local, recycled, memory);
         Self { local, low_rank }
     }
 }
 
-impl LinearOperator for Preconditioner {
+impl LinearOperator for Preconditioner<'_> {
     fn dim(&self) -> usize {
         self.local.dim
     }
@@ -184,29 +190,30 @@ fn factor_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, 
 }
 
 /// U = L⁻¹ZᵀW, and the factor of G + UᵀU.
-struct LowRank {
-    u: Mat<f64>,
+struct LowRank<'a> {
+    u: MatRef<'a, f64>,
     capacitance: PackedLower,
     share: Vec<f64>,
 }
 
-impl LowRank {
+impl<'a> LowRank<'a> {
     /// `None` when nothing is kept yet (or the small matrix is not finite: D alone then serves).
     fn new(
         space: &ReducedSpace,
         local: &mut LocalFactor,
         recycled: &RecycledProducts,
+        memory: &'a mut Vec<f64>,
     ) -> Option<Self> {
         let (rows, rank) = (space.dim(), recycled.len());
         if rank == 0 || rows == 0 {
             return None;
         }
-        let mut u = Mat::zeros(rows, rank);
-        for (j, product) in recycled.products().enumerate() {
-            let column = u.col_mut(j).try_as_col_major_mut()?.as_slice_mut();
+        memory.resize(rows * rank, 0.0);
+        for (column, product) in memory.chunks_exact_mut(rows).zip(recycled.products()) {
             space.restrict(product, column);
             local.solve_lower_in_place(column);
         }
+        let u = MatRef::from_column_major_slice(memory, rows, rank);
         let mut capacitance = recycled.gram();
         triangular::matmul(
             capacitance.as_mut(),
@@ -214,7 +221,7 @@ impl LowRank {
             Accum::Add,
             u.transpose(),
             BlockStructure::Rectangular,
-            u.as_ref(),
+            u,
             BlockStructure::Rectangular,
             1.0,
             Par::Seq,
@@ -230,7 +237,7 @@ impl LowRank {
     /// z ← z − U (G + UᵀU)⁻¹ Uᵀ z.
     fn correct(&mut self, z: &mut [f64]) {
         let share = ColMut::from_slice_mut(&mut self.share);
-        let u = self.u.as_ref();
+        let u = self.u;
         let from = ColRef::from_slice(z);
         matmul(share, Accum::Replace, u.transpose(), from, 1.0, Par::Seq);
         self.capacitance.solve_lower_in_place(&mut self.share);
@@ -332,7 +339,7 @@ mod tests {
         ];
         for model in models {
             for count in [0, 4] {
-                let mut recycled = recycled(&a, count);
+                let (mut recycled, mut memory) = (recycled(&a, count), vec![f64::NAN; 5]);
                 let mut full = seen(&recycled);
                 match &model {
                     LocalModel::Diagonal(d) => (0..DIM).for_each(|i| full[(i, i)] += d[i]),
@@ -348,7 +355,8 @@ mod tests {
                 }
                 let columns: Vec<Column> = space.columns().collect();
                 let lower = galerkin(&columns, |i, j| full[(i, j)]);
-                let mut preconditioner = Preconditioner::new(&space, &model, &mut recycled);
+                let mut preconditioner =
+                    Preconditioner::new(&space, &model, &mut recycled, &mut memory);
                 let r: Vec<f64> = (0..space.dim()).map(|i| entry(5, i, 3)).collect();
                 let mut z = vec![f64::NAN; space.dim()];
                 preconditioner.apply(&r, &mut z);

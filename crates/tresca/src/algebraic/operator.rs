@@ -101,18 +101,26 @@ fn most_asymmetric(order: usize, values: &[f64]) -> (usize, usize) {
 /// diag(w): what turns ellipses into discs.
 pub(super) struct Scaling {
     weights: Vec<f64>,
+    /// All weights are 1.
+    trivial: bool,
     scratch: Vec<f64>,
 }
 
 impl Scaling {
     pub(super) fn new(layout: &Layout) -> Self {
         let weights = layout.weights().to_vec();
-        let scratch = vec![0.0; weights.len()];
-        Self { weights, scratch }
+        Self {
+            trivial: weights.iter().all(|&w| w == 1.0),
+            scratch: vec![0.0; weights.len()],
+            weights,
+        }
     }
 
     /// y ← diag(w) A diag(w) x, A the given function.
     fn product(&mut self, x: &[f64], y: &mut [f64], apply: impl FnOnce(&[f64], &mut [f64])) {
+        if self.trivial {
+            return apply(x, y);
+        }
         for ((s, x), w) in self.scratch.iter_mut().zip(x).zip(&self.weights) {
             *s = x * w;
         }
