@@ -9,7 +9,8 @@
 //! the Gram matrix, where Gram and Schmidt would need six over W and P for each of them. Nobody asks
 //! for what a CG run has shown before its end, so one sweep serves the whole run.
 
-use faer::Mat;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par};
 use tresca_la::vector::dot;
 
 /// A direction of which less than this part (in the squared A-norm) is new is not kept.
@@ -19,11 +20,42 @@ const LEAST_NEW: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub(crate) struct RecycledProducts {
     capacity: usize,
-    products: Vec<Vec<f64>>,
+    products: Columns,
     /// The Cholesky factor of PᵀAP row by row, row i up to the diagonal.
     factor: Vec<Vec<f64>>,
-    /// Directions, A-norm 1, with their products, that are not in W yet.
-    offered: Vec<(Vec<f64>, Vec<f64>)>,
+    /// Directions, A-norm 1, and their products that are not in W yet.
+    offered: [Columns; 2],
+}
+
+/// Vectors of one length, one after another.
+#[derive(Clone, Debug, Default)]
+struct Columns {
+    rows: usize,
+    values: Vec<f64>,
+}
+
+impl Columns {
+    fn len(&self) -> usize {
+        self.values.len().checked_div(self.rows).unwrap_or(0)
+    }
+
+    fn push(&mut self, column: impl ExactSizeIterator<Item = f64>) {
+        self.rows = column.len();
+        self.values.extend(column);
+    }
+
+    fn truncate(&mut self, count: usize) {
+        self.values.truncate(count * self.rows);
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &[f64]> {
+        // A vector without entries is never pushed: nothing is new in it.
+        self.values.chunks_exact(self.rows.max(1))
+    }
+
+    fn matrix(&self) -> MatRef<'_, f64> {
+        MatRef::from_column_major_slice(&self.values, self.rows, self.len())
+    }
 }
 
 impl RecycledProducts {
@@ -31,9 +63,9 @@ impl RecycledProducts {
     pub fn new(capacity: usize) -> Self {
         Self {
             capacity,
-            products: Vec::new(),
+            products: Columns::default(),
             factor: Vec::new(),
-            offered: Vec::new(),
+            offered: Default::default(),
         }
     }
 
@@ -44,7 +76,7 @@ impl RecycledProducts {
         self.products.truncate(capacity);
         self.factor.truncate(capacity);
         let room = capacity - self.len();
-        self.offered.truncate(room);
+        self.offered.iter_mut().for_each(|o| o.truncate(room));
     }
 
     /// Number of products kept.
@@ -54,7 +86,7 @@ impl RecycledProducts {
 
     /// The products W, one by one.
     pub fn products(&self) -> impl Iterator<Item = &[f64]> {
-        self.products.iter().map(Vec::as_slice)
+        self.products.iter()
     }
 
     /// PᵀAP, its lower triangle.
@@ -71,7 +103,7 @@ impl RecycledProducts {
 
     /// Offers the product of `direction` with A, to be kept if there is room and enough of the direction is new.
     pub fn offer(&mut self, direction: &[f64], product: &[f64]) {
-        if self.len() + self.offered.len() >= self.capacity {
+        if self.len() + self.offered[0].len() >= self.capacity {
             return;
         }
         let square = dot(direction, product);
@@ -79,26 +111,35 @@ impl RecycledProducts {
             return;
         }
         let scale = square.sqrt().recip();
-        let scaled = |v: &[f64]| v.iter().map(|v| scale * v).collect();
-        self.offered.push((scaled(direction), scaled(product)));
+        for (offered, v) in self.offered.iter_mut().zip([direction, product]) {
+            offered.push(v.iter().map(|v| scale * v));
+        }
     }
 
     /// Takes into W what has been offered since the last time.
     pub fn settle(&mut self) {
-        let offered = std::mem::take(&mut self.offered);
-        // PᵀAp of every offered p with the P before the offer, each product of W read once.
-        let mut known = vec![Vec::with_capacity(self.capacity); offered.len()];
-        for product in &self.products {
-            for (known, (direction, _)) in known.iter_mut().zip(&offered) {
-                known.push(dot(product, direction));
-            }
+        let [directions, products] = std::mem::take(&mut self.offered);
+        if directions.len() == 0 {
+            return;
         }
-        for (mut gram, (direction, product)) in known.into_iter().zip(offered) {
-            let newer = &self.products[gram.len()..];
-            gram.extend(newer.iter().map(|product| dot(product, &direction)));
+        self.products.rows = products.rows;
+        // WᵀP for the offered P, with the W before the offer and with what is offered.
+        let product = |w: &Columns| {
+            let mut product = Mat::zeros(w.len(), directions.len());
+            let (w, p) = (w.matrix().transpose(), directions.matrix());
+            matmul(product.as_mut(), Accum::Replace, w, p, 1.0, Par::Seq);
+            product
+        };
+        let (known, new) = (product(&self.products), product(&products));
+        self.products.values.reserve_exact(products.values.len());
+        let mut taken: Vec<usize> = Vec::with_capacity(products.len());
+        for (j, product) in products.iter().enumerate() {
+            let old = known.col(j).iter().copied();
+            let gram = old.chain(taken.iter().map(|&i| new[(i, j)])).collect();
             if let Some(row) = self.factor_row(gram) {
                 self.factor.push(row);
-                self.products.push(product);
+                self.products.push(product.iter().copied());
+                taken.push(j);
             }
         }
     }
