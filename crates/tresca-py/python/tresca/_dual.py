@@ -34,7 +34,8 @@ def solve_dual(
     Parameters
     ----------
     A : array_like, sparse matrix, LinearOperator or callable
-        Symmetric positive (semi)definite, of order (1 + `tangents`) m. A callable computes ``A @ x``.
+        Symmetric positive (semi)definite, of order (1 + `tangents`) m. A callable computes ``A @ x``. An array of
+        doubles is not copied: do not change it meanwhile.
     b : array_like, shape ((1 + tangents) m,)
         Right-hand side.
     friction : law, list of m laws, or array_like, optional
