@@ -218,11 +218,7 @@ impl SolverArguments {
     pub fn over(&self, settings: &Settings) -> miette::Result<Settings> {
         let mut table = toml::Table::try_from(settings).into_diagnostic()?;
         for assignment in &self.set {
-            let addition: toml::Table =
-                assignment.parse().into_diagnostic().wrap_err_with(|| {
-                    format!("cannot read `--set {assignment}`: expected key=value")
-                })?;
-            table.extend(addition);
+            table.extend(addition(assignment)?);
         }
         let mut settings: Settings = table
             .try_into()
@@ -234,6 +230,21 @@ impl SolverArguments {
         settings.validate().into_diagnostic()?;
         Ok(settings)
     }
+}
+
+/// `key=value` with the value as in a case file; shells take quotes away, so names need none.
+fn addition(assignment: &str) -> miette::Result<toml::Table> {
+    let read = assignment.parse::<toml::Table>().or_else(|error| {
+        let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        match assignment.split_once('=') {
+            Some((key, value)) if value.trim().chars().all(is_name) => {
+                format!("{key} = \"{}\"", value.trim()).parse()
+            }
+            _ => Err(error),
+        }
+    });
+    read.into_diagnostic()
+        .wrap_err_with(|| format!("cannot read `--set {assignment}`: expected key=value"))
 }
 
 /// Sets the number of threads for everything that follows.

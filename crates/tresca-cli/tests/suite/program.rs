@@ -213,6 +213,8 @@ fn options_of_the_command_line_override_the_case_file() {
         "1",
         "--set",
         "rho=5.0",
+        "--set",
+        "inner_solver=iterative",
         "--engine",
         "factored",
     ];
@@ -222,12 +224,15 @@ fn options_of_the_command_line_override_the_case_file() {
     let summary = scene.summary("out/small");
     assert_eq!(summary["method"], "imssn");
     assert_eq!(summary["settings"]["rho"], 5.0);
+    assert_eq!(summary["settings"]["inner_solver"], "iterative");
     assert_eq!(summary["engine"]["engine"], "factored");
     assert_eq!(summary["threads"], 1);
 
     for (arguments, part) in [
         (["--tolerance", "2"], "tolerance"),
         (["--set", "rhoo=1"], "rhoo"),
+        (["--set", "coulomb=sometimes"], "sometimes"),
+        (["--set", "coulomb=\"in loop"], "expected key=value"),
         (["--method", "newton"], "newton"),
         (["--threads", "0"], "threads"),
     ] {

@@ -6,8 +6,13 @@ use super::point::{
 use crate::session::{Ending, Inner, Journal};
 use crate::sets::{BlockState, ConvexSet};
 use crate::{
-    ActiveSet, DualOperator, IterationRecord, Method, Observer, ProductSet, Settings, Status,
+    ActiveSet, CoulombMethod, DualOperator, IterationRecord, Method, Observer, ProductSet,
+    Settings, Status,
 };
+
+/// Iterations without progress after which bounds that follow every Newton step are given up for the fixed
+/// point. Where the loop does well it needs about this many in all.
+const PATIENCE_IN_LOOP: usize = 6;
 
 /// How an iterate was reached.
 #[derive(Clone, Copy, Debug)]
@@ -235,7 +240,7 @@ impl<'a> Run<'a> {
             Some(Status::Converged)
         } else if stop {
             Some(Status::Interrupted)
-        } else if iteration - self.last_progress >= patience(self.settings.method) {
+        } else if iteration - self.last_progress >= self.patience() {
             Some(Status::Stagnated)
         } else if self.journal.steps() >= self.settings.max_iterations {
             Some(Status::IterationLimit)
@@ -286,6 +291,20 @@ impl<'a> Run<'a> {
         {
             self.best = Some(judged.clone());
             self.last_progress = iteration;
+        }
+    }
+
+    /// Iterations without progress after which a method is said to stagnate. The
+    /// Newton methods gain at every step or cycle; gradient methods may rest for a while.
+    fn patience(&self) -> usize {
+        // Another way waits, which takes its time but gets there.
+        if self.follows_coulomb() && self.settings.coulomb == CoulombMethod::Auto {
+            return PATIENCE_IN_LOOP;
+        }
+        match self.settings.method {
+            Method::Apgd => 300,
+            Method::Gimssn => 60,
+            Method::Ssn | Method::Mssn | Method::Imssn | Method::Grssn => 25,
         }
     }
 
@@ -364,15 +383,5 @@ fn zero_point(rhs: &[f64], set: &ProductSet, relative: f64) -> Judged {
         bounds_change: 0.0,
         bounds: Vec::new(),
         figure: relative,
-    }
-}
-
-/// Iterations without progress after which a method is said to stagnate. The
-/// Newton methods gain at every step or cycle; gradient methods may rest for a while.
-fn patience(method: Method) -> usize {
-    match method {
-        Method::Apgd => 300,
-        Method::Gimssn => 60,
-        Method::Ssn | Method::Mssn | Method::Imssn | Method::Grssn => 25,
     }
 }
