@@ -330,6 +330,20 @@ mod tests {
     }
 
     #[test]
+    fn large_triangles_are_zero_and_hold_what_is_set() {
+        // Above the size from which large pages are asked for.
+        let n = 1500;
+        let mut triangle = PackedLower::zeros(n);
+        assert!(triangle.bytes() > 8 << 20);
+        let mut y = vec![f64::NAN; n];
+        triangle.symmetric_mul(&vec![1.0; n], &mut y);
+        assert_eq!(y, vec![0.0; n]);
+        triangle.set(n - 1, 3, 2.0);
+        triangle.symmetric_mul(&vec![1.0; n], &mut y);
+        assert_eq!((y[3], y[n - 1], y.iter().sum::<f64>()), (2.0, 2.0, 4.0));
+    }
+
+    #[test]
     fn dense_copy_is_the_lower_triangle() {
         for n in [0, 1, 8, 19] {
             let dense = packed(n, Isa::best()).to_dense();

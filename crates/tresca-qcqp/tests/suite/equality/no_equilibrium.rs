@@ -1,0 +1,167 @@
+//! Loads that no contact can balance, and the proof of it.
+
+use super::*;
+
+#[test]
+fn loads_that_nothing_holds_are_proved_so() {
+    let mut impossible = 0;
+    for seed in 0..12 {
+        for kind in [Kind::TwoDimensional, Kind::Mixed, Kind::Everything] {
+            // Some of these still find a way: the proof decides, and Clarabel confirms.
+            let floating = random_floating(
+                kind,
+                4,
+                if seed % 2 == 0 { -1.0 } else { -30.0 },
+                300 + seed,
+            );
+            let Equality { rows, rhs, .. } = &floating.equality;
+            let reference = oracle::constrained_minimiser(&floating.plain, rows, rhs);
+            let solution = solve(
+                &mut floating.problem(),
+                &Settings::default(),
+                None,
+                &mut Silent,
+            )
+            .unwrap();
+            assert_eq!(
+                solution.status == Status::NoEquilibrium,
+                reference.is_none(),
+                "{kind:?} {seed}: {}",
+                solution.status
+            );
+            if solution.status == Status::NoEquilibrium {
+                impossible += 1;
+                assert_proof(&floating, &solution);
+            } else {
+                assert_solves(&floating, &solution, 1e-8, "possible");
+            }
+        }
+    }
+    assert!(impossible >= 3, "only {impossible} impossible problems");
+}
+
+/// eᵀv > sup over Λ of λᵀGᵀv, computed here.
+fn assert_proof(floating: &Floating, solution: &Solution) {
+    let Equality { rows, rhs, .. } = &floating.equality;
+    let motion = solution.motion.as_ref().expect("a proof");
+    assert!((norm(motion) - 1.0).abs() <= 1e-12);
+    assert!(floating.plain.set.contains(&solution.lambda));
+    let power = dot(rhs, motion);
+    assert!(power > 0.0);
+    let driven: Vec<f64> = (0..floating.plain.dim())
+        .map(|i| rows.iter().zip(motion).map(|(row, v)| row[i] * v).sum())
+        .collect();
+    let size = norm(&driven).max(1.0);
+    let mut held = 0.0;
+    for block in floating.plain.set.blocks() {
+        let own = norm(&driven[block.range()]);
+        match block.set {
+            BlockSet::Line(_) => assert!(own <= 1e-8 * size),
+            BlockSet::HalfLine(_) => assert!(driven[block.start] <= 1e-8 * size),
+            set => held += set.bound().unwrap() * own,
+        }
+    }
+    assert!(power > held, "power {power:e}, held {held:e}");
+}
+
+/// A block on a half-space with slip bounds: the load that slides it, tips it, or turns it is known.
+#[test]
+fn the_limit_load_is_sharp() {
+    let half = HalfSpace::new(6, 0.3);
+    let m = half.pairs();
+    let bound = 0.4 / m as f64;
+    let outermost = half.points.iter().map(|p| p[0]).fold(0.0, f64::max);
+    // Sliding: |fx| ≤ Σg. Tipping about the outermost row: |fx| · height ≤ |fz| · arm.
+    let cases = [
+        ([0.4, 0.0, -1.0], 0.0, bound),
+        ([outermost, 0.0, -1.0], 1.0, 1.0),
+    ];
+    for (number, (limit, height, bound)) in cases.into_iter().enumerate() {
+        for (share, possible) in [(0.5, true), (0.999, true), (1.001, false), (2.0, false)] {
+            let mut floating = half.block([share * limit[0], limit[1], limit[2]], height, |_| 0.0);
+            floating.plain.set = ProductSet::contact_3d(&vec![bound; m]).unwrap();
+            let what = format!("case {number}, {share} of the limit");
+            let solution = solve(
+                &mut floating.problem(),
+                &Settings::default(),
+                None,
+                &mut Silent,
+            )
+            .unwrap();
+            if possible {
+                assert_solves(&floating, &solution, 1e-8, &what);
+            } else {
+                assert_eq!(solution.status, Status::NoEquilibrium, "{what}");
+                assert_proof(&floating, &solution);
+                // It slides along x, or turns about an axis along y.
+                let motion = solution.motion.unwrap();
+                if number == 0 {
+                    assert!(motion[0] > 0.9, "{what}: {motion:?}");
+                } else {
+                    assert!(motion[4] > 0.5, "{what}: {motion:?}");
+                }
+            }
+        }
+        // Exactly there, any honest end will do.
+        let mut floating = half.block(limit, height, |_| 0.0);
+        floating.plain.set = ProductSet::contact_3d(&vec![bound; m]).unwrap();
+        let solution = solve(
+            &mut floating.problem(),
+            &Settings::default(),
+            None,
+            &mut Silent,
+        )
+        .unwrap();
+        match solution.status {
+            Status::Converged => assert_solves(&floating, &solution, 1e-8, "at the limit"),
+            Status::NoEquilibrium | Status::IterationLimit | Status::Stagnated => {}
+            status => panic!("case {number}: {status}"),
+        }
+    }
+    // Lifted, or pulled down beside a support that has no friction.
+    let frictionless = half.block([0.0, 0.0, 1e-3], 0.0, |_| 0.0);
+    let solution = solve(
+        &mut frictionless.problem(),
+        &Settings::default(),
+        None,
+        &mut Silent,
+    )
+    .unwrap();
+    assert_eq!(solution.status, Status::NoEquilibrium);
+    assert_proof(&frictionless, &solution);
+    assert_eq!(
+        solution.n_a - solution.n_a_setup,
+        0,
+        "λ = 0 is nearest, and costs nothing"
+    );
+}
+
+#[test]
+fn a_motion_that_no_contact_feels_is_decided_by_its_load() {
+    let base = random_floating(Kind::Mixed, 2, 1.0, 9);
+    for load in [0.0, 1e-3] {
+        let mut equality = base.equality.clone();
+        equality.rows.push(vec![0.0; base.plain.dim()]);
+        equality.rhs.push(load);
+        equality.metric.iter_mut().for_each(|row| row.push(0.0));
+        equality.metric.push(vec![0.0, 0.0, 1.0]);
+        let floating = Floating {
+            plain: base.plain.clone(),
+            equality,
+        };
+        let solution = solve(
+            &mut floating.problem(),
+            &Settings::default(),
+            None,
+            &mut Silent,
+        )
+        .unwrap();
+        if load == 0.0 {
+            assert_solves(&floating, &solution, 1e-8, "no load");
+            assert_eq!(solution.multiplier[2], 0.0);
+        } else {
+            assert_eq!(solution.status, Status::NoEquilibrium);
+            assert!(solution.motion.unwrap()[2] > 0.999);
+        }
+    }
+}
