@@ -123,3 +123,42 @@ fn a_start_at_the_solution_ends_at_once() {
         );
     }
 }
+
+#[test]
+fn one_triangle_stands_for_both_where_they_differ_by_rounding() {
+    let problem = random(Laws::Tresca, 2, 0, 4);
+    let (a, b) = dual_of(&problem);
+    let order = b.len();
+    let solved = |a: &[f64]| {
+        let operator = Operator::dense(order, a).unwrap();
+        let dual = Dual::new(operator, b.clone(), 2, problem.conditions.friction.clone());
+        solve_dual(dual, &tight(), &mut Silent).unwrap()
+    };
+    // Both triangles the same to the last bit.
+    let mut symmetric = a.clone();
+    for i in 0..order {
+        for j in 0..i {
+            symmetric[order * j + i] = a[order * i + j];
+        }
+    }
+    let expected = solved(&symmetric);
+    assert!(expected.converged() && expected.notes.is_empty());
+    let largest = a.iter().fold(0.0_f64, |l, v| l.max(v.abs()));
+    let mut skew = symmetric.clone();
+    skew[2 * order - 1] += 1e-10 * largest;
+    let solution = solved(&skew);
+    assert_eq!(solution.normal_force, expected.normal_force);
+    assert_eq!(solution.tangential_force, expected.tangential_force);
+    let [note] = &solution.notes[..] else {
+        panic!("{:?}", solution.notes);
+    };
+    assert!(note.to_string().contains("1.0e-10"), "{note}");
+    assert!(note.to_string().contains("one of its triangles"), "{note}");
+    // What stands above the diagonal is looked at all the same.
+    skew[2 * order - 1] = f64::NAN;
+    let Err(error) = Operator::dense(order, &skew) else {
+        panic!("not finite")
+    };
+    let entry = format!("{}", 2 * order - 1);
+    assert!(error.to_string().contains(&entry), "{error}");
+}
