@@ -1,13 +1,12 @@
-//! Files in and out: case files with reports that show the place of an error, and results as VTU,
+//! Files in and out: meshes and problems with reports that show the place of an error, and results as VTU,
 //! CSV and JSON, written so that a failed run never destroys an earlier result.
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`case`] | reads and checks a case file |
-//! | [`expression`] | formulas in x, y, z |
 //! | [`fclib`] | frictional contact problems of the Siconos group |
 //! | [`mesh`] | mesh files: Gmsh, Abaqus, CalculiX |
 //! | [`problem`] | contact problems as matrices: `.npz` archives, Matrix Market folders |
+//! | [`names`] | names in reports |
 //! | [`atomic`] | sets of files that appear together or not at all |
 //! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
 //! | [`results`] | the fields of a solved case and their names |
@@ -15,13 +14,11 @@
 //! | [`summary`] | summaries as JSON |
 
 pub mod atomic;
-pub mod case;
 mod error;
-pub mod expression;
 pub mod fclib;
 pub mod history;
 pub mod mesh;
-mod names;
+pub mod names;
 pub mod problem;
 pub mod pvd;
 pub mod results;

@@ -1,7 +1,7 @@
 //! Names in reports: lists of them, and the one that was probably meant.
 
 /// `a`, `b` and `c`.
-pub(crate) fn listed(names: &[&str]) -> String {
+pub fn listed(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     match quoted.split_last() {
         Some((last, [])) => last.clone(),
@@ -12,10 +12,7 @@ pub(crate) fn listed(names: &[&str]) -> String {
 
 /// The candidate closest to what was written, if it is close enough to be a slip of the pen: one
 /// edit in three letters, case left aside, and not all letters of a short name.
-pub(crate) fn nearest<'a>(
-    found: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn nearest<'a>(found: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let found = found.to_lowercase();
     candidates
         .into_iter()

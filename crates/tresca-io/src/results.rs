@@ -5,7 +5,6 @@ use std::io::Write;
 use tresca_fem::mesh::Mesh;
 
 use crate::WriteError;
-use crate::case::LAWS;
 use crate::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 
 /// The result of one body, on its nodes.
@@ -111,9 +110,11 @@ pub struct ContactFields<'a> {
     /// Whether the tangential force is below the slip bound. With Tresca's law an open point may
     /// stick or slip, too.
     pub sticking: &'a [bool],
-    /// Numbers of the friction laws, positions in [`LAWS`]; the field
+    /// Numbers of the friction laws, positions in `law_names`; the field
     /// `friction_law`, with a fact that says what the numbers mean. `None` leaves both out.
     pub friction_law: Option<&'a [u8]>,
+    /// What the numbers of the friction laws mean.
+    pub law_names: &'a [&'a str],
     /// Further fields on the points, written behind the others.
     pub extra: Vec<Field<'a>>,
     /// Facts about the run.
@@ -162,7 +163,11 @@ impl ContactFields<'_> {
         if let Some(laws) = self.friction_law {
             grid.point_fields
                 .push(Field::new("friction_law", Values::States(laws)));
-            let numbered = LAWS.iter().enumerate().map(|(i, law)| format!("{i} {law}"));
+            let numbered = self
+                .law_names
+                .iter()
+                .enumerate()
+                .map(|(i, law)| format!("{i} {law}"));
             let meaning = numbered.collect::<Vec<_>>().join(", ");
             grid.facts
                 .push(("friction_law".to_owned(), Fact::Text(meaning)));

@@ -56,7 +56,7 @@ impl Case {
         let mut observer = Observer::new(callback);
         let run = py.detach(|| tresca::solve(model, &settings, &mut observer));
         observer.finish()?;
-        let run = run.map_err(|error| errors::case(self.inner.locate(&error)))?;
+        let run = run.map_err(|error| errors::case(tresca::case::locate(&self.inner, &error)))?;
         match run {
             Run::Finished(outcome) => Ok(Outcome {
                 case: Arc::clone(&self.inner),

@@ -13,11 +13,11 @@ use tresca_fem::supports::Supports;
 use tresca_la::SymmetricMatrix;
 use tresca_qcqp::operator::Coupling;
 
-use crate::ModelError;
 use crate::elastic::ElasticBody;
 use crate::floating::{Floating, floating};
 use crate::layout::Layout;
 use crate::model::{Contact, Model, Partner, Surface};
+use crate::{ModelError, SolveError};
 
 /// One body as linear algebra.
 #[derive(Debug, Clone)]
@@ -110,12 +110,12 @@ impl Assembled {
 /// # Errors
 /// When the model has no body or no contact, a floating body is touched by no contact, an element is
 /// degenerate, or the surfaces of a contact do not fit.
-pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
+pub fn assemble(model: &Model) -> Result<Assembled, SolveError> {
     if model.bodies().is_empty() {
-        return Err(ModelError::NoBodies);
+        return Err(ModelError::NoBodies.into());
     }
     if model.contacts().is_empty() {
-        return Err(ModelError::NoContact);
+        return Err(SolveError::NoContact);
     }
     let dof_maps = dof_maps(model)?;
     // Contact geometry first: it is quick, and its errors should not wait for the stiffness.
@@ -123,7 +123,7 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
     let contacts = couple_all(model, &dof_maps)?;
     let contact_seconds = begin.elapsed().as_secs_f64();
     if contacts.iter().all(|data| data.pairs.is_empty()) {
-        return Err(ModelError::NoFreePairs);
+        return Err(SolveError::NoFreePairs);
     }
     let openings = model
         .contacts()
@@ -150,7 +150,7 @@ pub fn assemble(model: &Model) -> Result<Assembled, ModelError> {
 }
 
 /// The free and held dofs of every body.
-pub(crate) fn dof_maps(model: &Model) -> Result<Vec<DofMap>, ModelError> {
+pub(crate) fn dof_maps(model: &Model) -> Result<Vec<DofMap>, SolveError> {
     let components = |k: usize| model.supports()[k].components;
     (0..model.bodies().len())
         .map(|body| Ok(DofMap::new(&supports(model, body, components)?)))
@@ -159,7 +159,7 @@ pub(crate) fn dof_maps(model: &Model) -> Result<Vec<DofMap>, ModelError> {
 
 /// The geometry of every contact, one after the other: where two contacts of a slave body share an edge, its
 /// nodes belong to the first one.
-pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactData>, ModelError> {
+pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactData>, SolveError> {
     let mut contacts: Vec<ContactData> = Vec::with_capacity(model.contacts().len());
     for (index, contact) in model.contacts().iter().enumerate() {
         let before = model.contacts().iter().zip(&contacts);
@@ -179,7 +179,7 @@ pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactDa
             .flat_map(|&k| contacts[k].pairs.iter().filter_map(|pair| pair.master_node))
             .collect();
         let data = coupled(model, contact, dofs, [&taken, &partners]);
-        let data = data.map_err(|source| ModelError::Coupling {
+        let data = data.map_err(|source| SolveError::Coupling {
             contact: index,
             slave: model.surface_name(&contact.slave),
             master: model.partner_name(&contact.master),
@@ -247,7 +247,7 @@ pub(crate) fn supports(
     model: &Model,
     index: usize,
     components: impl Fn(usize) -> [Option<f64>; 3],
-) -> Result<Supports, ModelError> {
+) -> Result<Supports, SolveError> {
     let body = &model.bodies()[index];
     let mut supports = Supports::new(body.mesh.node_count(), body.mesh.dimension());
     for (number, support) in model.supports().iter().enumerate() {
@@ -258,7 +258,7 @@ pub(crate) fn supports(
                     if let Some(value) = value {
                         supports
                             .prescribe(node, component, value)
-                            .map_err(|source| ModelError::Body {
+                            .map_err(|source| SolveError::Body {
                                 body: body.name.clone(),
                                 source,
                             })?;
@@ -276,9 +276,9 @@ fn body_system(
     layout: &Layout,
     index: usize,
     dofs: DofMap,
-) -> Result<BodySystem, ModelError> {
+) -> Result<BodySystem, SolveError> {
     let body = &model.bodies()[index];
-    let in_body = |source| ModelError::Body {
+    let in_body = |source| SolveError::Body {
         body: body.name.clone(),
         source,
     };

@@ -8,10 +8,10 @@ use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::{nodal_areas, resultant};
 use tresca_fem::rigid;
 
-use crate::ModelError;
 use crate::assemble::{couple_all, dof_maps};
 use crate::load_step::add_load;
 use crate::model::{Amount, Body, LoadKind, Model};
+use crate::{ModelError, SolveError};
 
 /// A body as it was understood.
 #[derive(Debug, Clone, Serialize)]
@@ -122,13 +122,13 @@ pub struct Check {
 ///
 /// # Errors
 /// When supports contradict each other, or the surfaces of a contact do not fit.
-pub fn check(model: &Model) -> Result<Check, ModelError> {
+pub fn check(model: &Model) -> Result<Check, SolveError> {
     if model.bodies().is_empty() {
-        return Err(ModelError::NoBodies);
+        return Err(ModelError::NoBodies.into());
     }
     let dofs = dof_maps(model)?;
     for body in model.bodies() {
-        body.mesh.check_cells().map_err(|source| ModelError::Body {
+        body.mesh.check_cells().map_err(|source| SolveError::Body {
             body: body.name.clone(),
             source,
         })?;

@@ -6,7 +6,7 @@ use tresca_la::SparseCholesky;
 use tresca_qcqp::operator::groups;
 use tresca_qcqp::{DualProblem, Engine};
 
-use crate::ModelError;
+use crate::SolveError;
 use crate::assemble::Assembled;
 use crate::elastic::{self, FactorFailure};
 use crate::model::Model;
@@ -98,12 +98,12 @@ pub fn factor(
     model: &Model,
     assembled: &Assembled,
     contact_last: bool,
-) -> Result<Factored, ModelError> {
+) -> Result<Factored, SolveError> {
     elastic::factor(&assembled.elastic(), contact_last).map_err(|(body, failure)| {
         let body = model.bodies()[body].name.clone();
         match failure {
-            FactorFailure::Ordering(source) => ModelError::Ordering { body, source },
-            FactorFailure::Factor(source) => ModelError::Factorization { body, source },
+            FactorFailure::Ordering(source) => SolveError::Ordering { body, source },
+            FactorFailure::Factor(source) => SolveError::Factorization { body, source },
         }
     })
 }
@@ -118,7 +118,7 @@ pub fn dual_problem(
     assembled: &Assembled,
     factored: &Factored,
     engine: Engine,
-) -> Result<DualProblem<'static>, ModelError> {
+) -> Result<DualProblem<'static>, SolveError> {
     let slidings: Vec<_> = assembled.pairs().map(|pair| pair.sliding).collect();
     let groups = groups_of_neighbours(model.dimension(), assembled);
     let bodies = assembled.elastic();

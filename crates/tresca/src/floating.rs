@@ -10,7 +10,7 @@ use tresca_fem::rigid::{self, FreeMotion, Grounding, RigidMotion};
 use tresca_la::vector::dot;
 use tresca_qcqp::operator::Coupling;
 
-use crate::ModelError;
+use crate::SolveError;
 use crate::assemble::Assembled;
 use crate::elastic::add_motions;
 use crate::model::{Body, Model};
@@ -27,12 +27,12 @@ pub struct Floating {
 /// What the supports leave free of a body, if anything.
 ///
 /// # Errors
-/// [`ModelError::Floating`] when no contact touches the part that is free.
+/// [`SolveError::Floating`] when no contact touches the part that is free.
 pub(crate) fn floating(
     body: &Body,
     dofs: &DofMap,
     contact: &Coupling,
-) -> Result<Option<Floating>, ModelError> {
+) -> Result<Option<Floating>, SolveError> {
     let motions = rigid::remaining(&body.mesh, dofs);
     if motions.is_empty() {
         return Ok(None);
@@ -54,7 +54,7 @@ pub(crate) fn floating(
     });
     let untouched: Vec<String> = untouched.map(ToString::to_string).collect();
     if !untouched.is_empty() {
-        return Err(ModelError::Floating {
+        return Err(SolveError::Floating {
             body: body.name.clone(),
             motions: untouched,
         });

@@ -45,7 +45,6 @@ pub mod linear;
 mod load_step;
 mod measures;
 pub mod memory;
-pub mod model;
 mod outcome;
 pub mod output;
 pub mod progress;
@@ -57,17 +56,17 @@ pub mod two_bricks;
 
 pub use certificate::Certificate;
 pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
-pub use error::ModelError;
+pub use error::SolveError;
 pub use floating::{Floating, UnresistedMotion};
 pub use layout::Layout;
 pub use load_step::Acting;
-pub use model::{Model, SurfaceRef};
 pub use outcome::{Outcome, PairState, StepOutcome, Times};
 pub use progress::{Progress, Silent, Stage};
 pub use reactions::SupportReaction;
 pub use solve::{Description, Prepared, Run, prepare, solve};
 pub use summary::Summary;
 pub use surface_fields::SurfaceFields;
+pub use tresca_model::{self as model, Model, ModelError, SurfaceRef};
 pub use two_bricks::two_bricks;
 
 pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use crate::ModelError;
+use crate::SolveError;
 use crate::assemble::Assembled;
 use crate::dual::{FactorWork, factor};
 use crate::model::Model;
@@ -23,7 +23,7 @@ pub struct LinearSolve {
 ///
 /// # Errors
 /// When a stiffness matrix is not positive definite.
-pub fn linear_solve(model: &Model, assembled: &Assembled) -> Result<LinearSolve, ModelError> {
+pub fn linear_solve(model: &Model, assembled: &Assembled) -> Result<LinearSolve, SolveError> {
     let begin = Instant::now();
     let factored = factor(model, assembled, false)?;
     Ok(LinearSolve {

@@ -4,7 +4,7 @@ use tresca_contact::{Field, Sliding};
 use tresca_fem::{assembly, loads};
 use tresca_la::vector::{axpy, dot};
 
-use crate::ModelError;
+use crate::SolveError;
 use crate::assemble::{Assembled, supports};
 use crate::model::{Amount, Load, LoadKind, Model, Partner, Step, VectorField};
 
@@ -37,7 +37,7 @@ impl Acting {
 ///
 /// # Errors
 /// When a load is not finite somewhere, or two supports disagree about a displacement.
-pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Acting, ModelError> {
+pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Acting, SolveError> {
     let bodies = model.bodies();
     let mut all_loads = Vec::with_capacity(bodies.len());
     let mut all_prescribed = Vec::with_capacity(bodies.len());
@@ -54,7 +54,7 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
             &load,
             &prescribed,
         );
-        free_loads.push(reduced.map_err(|source| ModelError::Body {
+        free_loads.push(reduced.map_err(|source| SolveError::Body {
             body: body.name.clone(),
             source,
         })?);
@@ -127,13 +127,13 @@ fn sliding(own: Sliding, area: f64, amount: Amount<f64>) -> Sliding {
 }
 
 /// The load on a body over its full dofs.
-fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, ModelError> {
+fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, SolveError> {
     let mesh = &model.bodies()[index].mesh;
     let mut sum = vec![0.0; mesh.dof_count()];
     for (number, (load, &amount)) in model.loads().iter().zip(&step.loads).enumerate() {
         add_load(model, index, load, amount, &mut sum);
         if !sum.iter().all(|x| x.is_finite()) {
-            return Err(ModelError::NonFiniteLoad {
+            return Err(SolveError::NonFiniteLoad {
                 load: number,
                 body: model.bodies()[index].name.clone(),
             });

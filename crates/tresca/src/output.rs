@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
+use tresca_case::LAWS;
 use tresca_fem::mesh::{CellKind, Mesh};
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
-use tresca_io::case::LAWS;
 use tresca_io::history::History;
 use tresca_io::pvd::{self, Part};
 use tresca_io::results::{BodyFields, ContactFields};
@@ -328,6 +328,7 @@ fn write_contact(
         closed: &column(&pairs, |state| state.closed),
         sticking: &column(&pairs, |state| state.stick),
         friction_law: Some(&laws),
+        law_names: &LAWS,
         extra: vec![Field::new("slip_increment", Values::Vectors(&increment))],
         facts,
     }

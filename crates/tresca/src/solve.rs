@@ -22,7 +22,7 @@ use crate::outcome::{Outcome, StepOutcome, Times, pair_states};
 use crate::progress::{Progress, Stage};
 use crate::reactions::nodal_reactions;
 use crate::surface_fields::SurfaceFields;
-use crate::{Model, ModelError, memory};
+use crate::{Model, SolveError, memory};
 
 /// Sizes of a problem and how it is going to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -74,7 +74,7 @@ pub fn solve(
     model: &Model,
     settings: &Settings,
     progress: &mut dyn Progress,
-) -> Result<Run, ModelError> {
+) -> Result<Run, SolveError> {
     settings.validate()?;
     match prepare(model, settings, progress)? {
         ControlFlow::Break(stage) => Ok(Run::Stopped(stage)),
@@ -90,7 +90,7 @@ pub fn prepare(
     model: &Model,
     settings: &Settings,
     progress: &mut dyn Progress,
-) -> Result<ControlFlow<Stage, Prepared>, ModelError> {
+) -> Result<ControlFlow<Stage, Prepared>, SolveError> {
     let begin = Instant::now();
     if progress.stage(Stage::Assembly).is_break() {
         return Ok(ControlFlow::Break(Stage::Assembly));
@@ -196,7 +196,7 @@ impl Prepared {
         model: &Model,
         settings: &Settings,
         progress: &mut dyn Progress,
-    ) -> Result<Run, ModelError> {
+    ) -> Result<Run, SolveError> {
         let own;
         let steps = match model.steps() {
             [] => {
@@ -255,7 +255,7 @@ impl Prepared {
         state: &mut State,
         times: &mut Times,
         progress: &mut dyn Progress,
-    ) -> Result<StepOutcome, ModelError> {
+    ) -> Result<StepOutcome, SolveError> {
         let begin = Instant::now();
         let acting = acting(model, &self.assembled, step)?;
         let load_energy = self.pose(&acting, &state.relative)?;
@@ -284,7 +284,7 @@ impl Prepared {
 
     /// Poses the dual problem of a step: b = B u⁰ − c with u⁰ the displacement without contact (and
     /// obstacles where they are in the step), c = \[d; T u of the step before\], e = Rᵀf, and the slip bounds. Returns fᵀK⁺f.
-    fn pose(&mut self, acting: &Acting, previous: &[f64]) -> Result<f64, ModelError> {
+    fn pose(&mut self, acting: &Acting, previous: &[f64]) -> Result<f64, SolveError> {
         let assembled = &self.assembled;
         let layout = &assembled.layout;
         let without = vec![0.0; layout.unknowns()];
@@ -321,7 +321,7 @@ impl Prepared {
         solution: Solution,
         load_energy: f64,
         state: &mut State,
-    ) -> Result<StepOutcome, ModelError> {
+    ) -> Result<StepOutcome, SolveError> {
         let assembled = &self.assembled;
         let no_equilibrium = solution.status == Status::NoEquilibrium;
         let free = if no_equilibrium {
@@ -352,7 +352,7 @@ impl Prepared {
         let reactions = (0..model.bodies().len())
             .map(|body| {
                 nodal_reactions(model, assembled, acting, &displacements, &lambda, body).map_err(
-                    |source| ModelError::Body {
+                    |source| SolveError::Body {
                         body: model.bodies()[body].name.clone(),
                         source,
                     },

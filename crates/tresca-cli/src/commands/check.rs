@@ -13,7 +13,8 @@ use crate::args::CheckArguments;
 pub fn run(arguments: &CheckArguments) -> miette::Result<u8> {
     let case = Case::load(&arguments.case)?;
     let name = case_name(&arguments.case)?;
-    let mut checked = check(&case.model).map_err(|error| Report::new(case.locate(&error)))?;
+    let mut checked =
+        check(&case.model).map_err(|error| Report::new(tresca::case::locate(&case, &error)))?;
     checked.warnings.splice(0..0, case.notes());
     print(&checked);
     if !arguments.dry {

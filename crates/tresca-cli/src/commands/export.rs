@@ -30,10 +30,10 @@ pub fn run(arguments: &ExportArguments) -> miette::Result<u8> {
             )
         })?,
     };
-    let assembly =
-        Assembly::new(&case.model, &step).map_err(|error| Report::new(case.locate(&error)))?;
+    let assembly = Assembly::new(&case.model, &step)
+        .map_err(|error| Report::new(tresca::case::locate(&case, &error)))?;
     assembly.write(&arguments.to).map_err(|error| match error {
-        ExportError::Model(error) => Report::new(case.locate(&error)),
+        ExportError::Model(error) => Report::new(tresca::case::locate(&case, &error)),
         error => Report::msg(error),
     })?;
     let problem = &assembly.problem;

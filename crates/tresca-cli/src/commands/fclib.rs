@@ -150,7 +150,7 @@ pub fn export(arguments: &ExportArguments) -> miette::Result<u8> {
     }
     let case = Case::load(&arguments.case)?;
     let settings = case.settings();
-    let located = |error| Report::new(case.locate(&error));
+    let located = |error| Report::new(tresca::case::locate(&case, &error));
     let model = &case.model;
     let ControlFlow::Continue(mut prepared) =
         tresca::prepare(model, settings, &mut Silent).map_err(located)?

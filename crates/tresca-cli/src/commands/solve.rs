@@ -45,7 +45,7 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
     let run = tresca::solve(&case.model, &settings, &mut monitor)
-        .map_err(|error| Report::new(case.locate(&error)))?;
+        .map_err(|error| Report::new(tresca::case::locate(&case, &error)))?;
     monitor.finish();
     let outcome = match run {
         Run::Finished(outcome) => outcome,

@@ -2,7 +2,6 @@
 //!
 //! One binary for all of them: what they share is compiled and linked once.
 
-mod case;
 mod fclib;
 mod mesh;
 mod output;

@@ -11,7 +11,7 @@ use super::summary::Summary;
 use super::{
     AlgebraicError, Assembly, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem, Solution,
 };
-use crate::ModelError;
+use crate::SolveError;
 use crate::output::{Destination, history_table};
 
 /// Why a problem could not be read from files.
@@ -381,7 +381,7 @@ fn figures(
 pub enum ExportError {
     /// The model is wrong.
     #[error(transparent)]
-    Model(#[from] ModelError),
+    Model(#[from] SolveError),
     /// A file could not be written.
     #[error(transparent)]
     Write(#[from] WriteError),

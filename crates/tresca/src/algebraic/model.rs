@@ -8,7 +8,7 @@ use crate::assemble::assemble;
 use crate::dual::full_displacements;
 use crate::load_step::acting;
 use crate::model::Step;
-use crate::{Model, ModelError};
+use crate::{Model, SolveError};
 
 /// The assembled problem of a model, and what its numbers belong to.
 #[derive(Debug, Clone)]
@@ -29,7 +29,7 @@ impl Assembly {
     ///
     /// # Errors
     /// When the model is wrong.
-    pub fn new(model: &Model, step: &Step) -> Result<Self, ModelError> {
+    pub fn new(model: &Model, step: &Step) -> Result<Self, SolveError> {
         let assembled = assemble(model)?;
         let acting = acting(model, &assembled, step)?;
         let m = assembled.pair_count();

@@ -3,19 +3,32 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
-const ALLOWED: [(&str, &[&str]); 8] = [
+const ALLOWED: [(&str, &[&str]); 10] = [
     ("tresca-la", &[]),
     ("tresca-fem", &["tresca-la"]),
     ("tresca-contact", &["tresca-fem", "tresca-la"]),
     ("tresca-qcqp", &["tresca-la"]),
     ("tresca-io", &["tresca-fem", "tresca-la"]),
+    ("tresca-model", &["tresca-contact", "tresca-fem"]),
     (
-        "tresca",
+        "tresca-case",
         &[
             "tresca-contact",
             "tresca-fem",
             "tresca-io",
+            "tresca-model",
+            "tresca-qcqp",
+        ],
+    ),
+    (
+        "tresca",
+        &[
+            "tresca-case",
+            "tresca-contact",
+            "tresca-fem",
+            "tresca-io",
             "tresca-la",
+            "tresca-model",
             "tresca-qcqp",
         ],
     ),

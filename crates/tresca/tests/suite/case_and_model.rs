@@ -50,7 +50,7 @@ fn refused(text: &str) -> (String, (usize, usize)) {
         Err(error) => error,
         Ok(case) => {
             let run = tresca::solve(&case.model, case.settings(), &mut tresca::Silent);
-            case.locate(&run.err().expect("this case is wrong"))
+            tresca::case::locate(&case, &run.err().expect("this case is wrong"))
         }
     };
     (error.to_string(), error.line_column().unwrap_or((0, 0)))

@@ -35,7 +35,7 @@ fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
     let case = Case::load(path)?;
     let reading = begin.elapsed().as_secs_f64();
     let settings = arguments.solver.over(case.settings())?;
-    let located = |error: tresca::ModelError| Report::new(case.locate(&error));
+    let located = |error: tresca::SolveError| Report::new(tresca::case::locate(&case, &error));
     let model = &case.model;
     let ControlFlow::Continue(mut prepared) =
         tresca::prepare(model, &settings, &mut Silent).map_err(located)?

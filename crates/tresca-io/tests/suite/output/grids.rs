@@ -269,6 +269,7 @@ impl Contact {
             closed: &self.closed,
             sticking: &self.sticking,
             friction_law: None,
+            law_names: &[],
             extra: Vec::new(),
             facts: facts(),
         }
@@ -315,6 +316,7 @@ fn contact_fields_in_the_plane_have_lines_laws_and_further_fields() {
         connectivity: &[0, 1, 1, 2],
     }]);
     fields.friction_law = Some(&[1, 1, 3, 4]);
+    fields.law_names = &["frictionless", "tresca", "orthotropic", "coulomb", "tied"];
     fields.extra = vec![Field::new("wear", Values::Vectors(&wear))];
     let mut file = Vec::new();
     fields.write(&mut file).unwrap();
@@ -324,8 +326,8 @@ fn contact_fields_in_the_plane_have_lines_laws_and_further_fields() {
     assert_eq!(field(point, "friction_law"), (1, vec![1.0, 1.0, 3.0, 4.0]));
     assert_eq!(field(point, "wear"), (3, wear.as_flattened().to_vec()));
     let text = String::from_utf8(file).unwrap();
-    let meaning = "<!-- friction_law: 0 frictionless, 1 tresca, 2 orthotropic, 3 coulomb, 4 tied, \
-                   5 bilateral -->";
+    let meaning =
+        "<!-- friction_law: 0 frictionless, 1 tresca, 2 orthotropic, 3 coulomb, 4 tied -->";
     assert!(text.contains(meaning), "{text}");
 }
 
