@@ -9,39 +9,33 @@ use tresca_contact::{
 };
 use tresca_fem::assembly;
 use tresca_fem::dofs::DofMap;
+use tresca_fem::rigid::FreeMotion;
 use tresca_fem::supports::Supports;
-use tresca_la::SymmetricMatrix;
-use tresca_qcqp::operator::Coupling;
+use tresca_qcqp::operator::{Coupling, groups};
+use tresca_system::body::Body;
+use tresca_system::engine::PAIRS_PER_PATCH;
+use tresca_system::layout::Layout;
 
-use crate::elastic::ElasticBody;
-use crate::floating::{Floating, floating};
-use crate::layout::Layout;
+use crate::floating::floating;
 use crate::model::{Contact, Model, Partner, Surface};
 use crate::{ModelError, SolveError};
 
-/// One body as linear algebra.
+/// A body between its mesh and its matrices.
 #[derive(Debug, Clone)]
-pub struct BodySystem {
+pub struct MeshedBody {
     /// Which full dofs are free.
     pub dofs: DofMap,
-    /// Stiffness K over the free dofs; singular when the body floats.
-    pub stiffness: SymmetricMatrix,
-    /// The rigid motions that the supports leave, if any.
-    pub floating: Option<Floating>,
-    /// The free dofs that some contact touches (or that ground a floating body), ascending: they come
-    /// last in the factorisation.
-    pub trailing_dofs: Vec<usize>,
+    /// A basis of the rigid motions that the supports leave; empty for a body that is held.
+    pub motions: Vec<FreeMotion>,
     /// Rows of B = \[N; T\] over all contacts of the model, columns = *full* dofs of this body.
     pub contact: Coupling,
-    /// The same rows, weighted for the solver's unknowns (see [`Layout`]), columns = free dofs.
-    pub coupling: Coupling,
 }
 
-/// The whole model as linear algebra.
+/// What ties the model to its matrices: the dofs, and the pairs with their frames, gaps and areas.
 #[derive(Debug, Clone)]
 pub struct Assembled {
-    /// One system per body.
-    pub bodies: Vec<BodySystem>,
+    /// One per body.
+    pub bodies: Vec<MeshedBody>,
     /// One record per contact of the model.
     pub contacts: Vec<ContactData>,
     /// Where every pair stands in λ.
@@ -51,26 +45,6 @@ pub struct Assembled {
 }
 
 impl Assembled {
-    /// The bodies as the dual problem sees them.
-    pub(crate) fn elastic(&self) -> Vec<ElasticBody<'_>> {
-        let view = |body| {
-            let BodySystem {
-                stiffness,
-                floating,
-                trailing_dofs,
-                coupling,
-                ..
-            }: &BodySystem = body;
-            ElasticBody {
-                stiffness,
-                grounding: floating.as_ref().map(|floating| &floating.grounding),
-                trailing: trailing_dofs,
-                coupling,
-            }
-        };
-        self.bodies.iter().map(view).collect()
-    }
-
     /// m, the number of contact pairs.
     pub fn pair_count(&self) -> usize {
         self.layout.pair_count()
@@ -95,6 +69,32 @@ impl Assembled {
         relative
     }
 
+    /// Displacements over the full dofs from their free parts and the prescribed rest.
+    pub fn full_displacements(&self, free: &[Vec<f64>], prescribed: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let bodies = self.bodies.iter().zip(free).zip(prescribed);
+        bodies
+            .map(|((body, free), prescribed)| {
+                let mut u = prescribed.clone();
+                body.dofs.write_free(free, &mut u);
+                u
+            })
+            .collect()
+    }
+
+    /// The unknowns of neighbouring pairs, contact by contact: the patches of the local model of A.
+    pub(crate) fn patches(&self) -> Vec<Vec<usize>> {
+        let mut first = 0;
+        let mut pairs = Vec::new();
+        for contact in &self.contacts {
+            let points: Vec<[f64; 3]> = contact.pairs.iter().map(|pair| pair.point).collect();
+            let patches = groups::neighbours(&points, PAIRS_PER_PATCH);
+            let patches = patches.into_iter();
+            pairs.extend(patches.map(|patch| patch.iter().map(|i| first + i).collect::<Vec<_>>()));
+            first += points.len();
+        }
+        groups::unknowns_of_pairs(&pairs, self.layout.tangents() + 1)
+    }
+
     /// −Bᵀλ: what the contact forces λ put on a body, over its full dofs.
     pub fn contact_forces(&self, body: usize, lambda: &[f64]) -> Vec<f64> {
         let minus: Vec<f64> = lambda.iter().map(|x| -x).collect();
@@ -105,12 +105,12 @@ impl Assembled {
     }
 }
 
-/// Assembles the model.
+/// Assembles the model: the bodies as linear algebra (K, grounding, B), and what ties them to it.
 ///
 /// # Errors
 /// When the model has no body or no contact, a floating body is touched by no contact, an element is
 /// degenerate, or the surfaces of a contact do not fit.
-pub fn assemble(model: &Model) -> Result<Assembled, SolveError> {
+pub fn assemble(model: &Model) -> Result<(Assembled, Vec<Body>), SolveError> {
     if model.bodies().is_empty() {
         return Err(ModelError::NoBodies.into());
     }
@@ -136,17 +136,19 @@ pub fn assemble(model: &Model) -> Result<Assembled, SolveError> {
     });
     let layout = Layout::new(model.dimension(), pairs);
 
-    let bodies = dof_maps
+    let parts = dof_maps
         .into_par_iter()
         .enumerate()
-        .map(|(body, dofs)| body_system(model, &contacts, &layout, body, dofs))
-        .collect::<Result<_, _>>()?;
-    Ok(Assembled {
+        .map(|(body, dofs)| body_parts(model, &contacts, &layout, body, dofs))
+        .collect::<Result<Vec<_>, _>>()?;
+    let (bodies, elastic) = parts.into_iter().unzip();
+    let assembled = Assembled {
         bodies,
         contacts,
         layout,
         contact_seconds,
-    })
+    };
+    Ok((assembled, elastic))
 }
 
 /// The free and held dofs of every body.
@@ -270,36 +272,28 @@ pub(crate) fn supports(
     Ok(supports)
 }
 
-fn body_system(
+fn body_parts(
     model: &Model,
     contacts: &[ContactData],
     layout: &Layout,
     index: usize,
     dofs: DofMap,
-) -> Result<BodySystem, SolveError> {
+) -> Result<(MeshedBody, Body), SolveError> {
     let body = &model.bodies()[index];
-    let in_body = |source| SolveError::Body {
-        body: body.name.clone(),
-        source,
-    };
     let contact = body_contact(model, contacts, index, dofs.full_len());
     let coupling = weighted_free_part(&contact, &dofs, layout.weights());
-    let floating = floating(body, &dofs, &contact)?;
-    let mut trailing_dofs = coupling.touched();
-    if let Some(floating) = &floating {
-        trailing_dofs.extend_from_slice(&floating.grounding.dofs);
-        trailing_dofs.sort_unstable();
-        trailing_dofs.dedup();
-    }
-    Ok(BodySystem {
-        stiffness: assembly::stiffness(&body.mesh, &body.material, body.formulation, &dofs)
-            .map_err(in_body)?,
+    let (motions, grounding) = floating(body, &dofs, &contact)?.unzip();
+    let stiffness = assembly::stiffness(&body.mesh, &body.material, body.formulation, &dofs)
+        .map_err(|source| SolveError::Body {
+            body: body.name.clone(),
+            source,
+        })?;
+    let meshed = MeshedBody {
         dofs,
-        floating,
-        trailing_dofs,
+        motions: motions.unwrap_or_default(),
         contact,
-        coupling,
-    })
+    };
+    Ok((meshed, Body::new(stiffness, grounding, coupling)))
 }
 
 /// Stacks a body's share of all contacts: the normal rows of every contact, then the tangential.

@@ -3,6 +3,8 @@
 
 use tresca_contact::ContactError;
 use tresca_model::ModelError;
+use tresca_system::progress::Stopped;
+use tresca_system::run::Unsolved;
 
 /// Why a model could not be solved.
 #[derive(Debug, thiserror::Error)]
@@ -76,4 +78,16 @@ pub enum SolveError {
     /// The dual problem was refused.
     #[error(transparent)]
     Dual(#[from] tresca_qcqp::QcqpError),
+    /// The caller stopped the run before its first iteration: there is no outcome.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}
+
+impl From<Unsolved> for SolveError {
+    fn from(error: Unsolved) -> Self {
+        match error {
+            Unsolved::Stopped(stopped) => SolveError::Stopped(stopped),
+            Unsolved::Refused(error) => SolveError::Dual(error),
+        }
+    }
 }

@@ -12,19 +12,10 @@ use tresca_qcqp::operator::Coupling;
 
 use crate::SolveError;
 use crate::assemble::Assembled;
-use crate::elastic::add_motions;
 use crate::model::{Body, Model};
 
-/// The rigid motions of a body and how they are kept out of its factor.
-#[derive(Debug, Clone)]
-pub struct Floating {
-    /// A basis of the motions that the supports leave.
-    pub motions: Vec<FreeMotion>,
-    /// C, R over the free dofs, and S = (RᵀCCᵀR)⁻¹.
-    pub grounding: Grounding,
-}
-
-/// What the supports leave free of a body, if anything.
+/// What the supports leave free of a body, if anything: a basis of its rigid motions, and how they are kept
+/// out of its factor.
 ///
 /// # Errors
 /// [`SolveError::Floating`] when no contact touches the part that is free.
@@ -32,7 +23,7 @@ pub(crate) fn floating(
     body: &Body,
     dofs: &DofMap,
     contact: &Coupling,
-) -> Result<Option<Floating>, SolveError> {
+) -> Result<Option<(Vec<FreeMotion>, Grounding)>, SolveError> {
     let motions = rigid::remaining(&body.mesh, dofs);
     if motions.is_empty() {
         return Ok(None);
@@ -60,7 +51,7 @@ pub(crate) fn floating(
         });
     }
     let grounding = Grounding::new(&body.mesh, &body.material, dofs, &motions, &nodes);
-    Ok(Some(Floating { motions, grounding }))
+    Ok(Some((motions, grounding)))
 }
 
 /// A motion that nothing resists, in words and as a displacement.
@@ -113,6 +104,10 @@ fn combined(motions: &[FreeMotion], amounts: &[f64], radius: f64) -> Vec<FreeMot
     sums
 }
 
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |a: f64, x| a.max(x.abs()))
+}
+
 fn length(vector: [f64; 3]) -> f64 {
     dot(&vector, &vector).sqrt()
 }
@@ -120,40 +115,32 @@ fn length(vector: [f64; 3]) -> f64 {
 /// Amounts below this, relative to the largest, are rounding in a motion.
 const VISIBLE: f64 = 1e-3;
 
-/// Puts the combination `v` of all rigid motions in words.
-pub(crate) fn unresisted(model: &Model, assembled: &Assembled, v: &[f64]) -> UnresistedMotion {
-    let largest =
-        |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, x| a.max(x.abs()));
-    let mut free: Vec<Vec<f64>> = assembled
-        .bodies
-        .iter()
-        .map(|body| vec![0.0; body.dofs.free_len()])
-        .collect();
-    add_motions(&assembled.elastic(), v, &mut free);
-    let bodies = assembled.bodies.iter().zip(&free);
-    let mut displacements: Vec<Vec<f64>> = bodies.map(|(body, u)| body.dofs.expand(u)).collect();
-    let size = largest(&mut displacements.iter().flatten().copied());
-    displacements
-        .iter_mut()
-        .flatten()
-        .for_each(|x| *x /= size.max(f64::MIN_POSITIVE));
-
-    let mut names = Vec::new();
+/// Puts the combination `v` of all rigid motions in words; `free` is that motion over the free dofs, the largest
+/// component 1.
+pub(crate) fn unresisted(
+    model: &Model,
+    assembled: &Assembled,
+    v: &[f64],
+    free: &[Vec<f64>],
+) -> UnresistedMotion {
+    let bodies = assembled.bodies.iter().zip(free);
+    let displacements: Vec<Vec<f64>> = bodies.map(|(body, u)| body.dofs.expand(u)).collect();
+    let mut moving = Vec::new();
     let mut first = 0;
-    for (body, system) in model.bodies().iter().zip(&assembled.bodies) {
-        let Some(floating) = &system.floating else {
-            continue;
-        };
-        let own = &v[first..first + floating.motions.len()];
+    for (body, meshed) in model.bodies().iter().zip(&assembled.bodies) {
+        let own = &v[first..first + meshed.motions.len()];
         first += own.len();
         let radius = 0.5 * body.mesh.bounding_box().diagonal();
-        for motion in combined(&floating.motions, own, radius) {
-            let moves = largest(&mut motion.displacement(&body.mesh).into_iter());
-            if moves > VISIBLE * size {
-                names.push((body.name.clone(), motion.to_string()));
-            }
+        for motion in combined(&meshed.motions, own, radius) {
+            let moves = largest(&motion.displacement(&body.mesh));
+            moving.push((moves, body.name.clone(), motion.to_string()));
         }
     }
+    let size = moving.iter().fold(0.0, |a: f64, (moves, ..)| a.max(*moves));
+    let visible = moving
+        .into_iter()
+        .filter(|(moves, ..)| *moves > VISIBLE * size);
+    let names = visible.map(|(_, body, motion)| (body, motion)).collect();
 
     let relative = assembled.relative(&displacements);
     let m = assembled.pair_count();

@@ -6,7 +6,7 @@
 //! from the displacements and forces alone.
 //!
 //! ```
-//! use tresca::{FrictionLaw, Model, Run, Settings, Silent, SurfaceRef, solve};
+//! use tresca::{FrictionLaw, Model, SurfaceRef};
 //! use tresca::mesh::{BrickSpec, brick};
 //! use tresca::material::Isotropic;
 //!
@@ -21,9 +21,7 @@
 //! model.add_traction(&[face("upper", "z+")], [0.0, 0.0, -1.0])?;
 //! model.add_contact(face("upper", "z-"), face("lower", "z+"), FrictionLaw::tresca(0.1))?;
 //!
-//! let Run::Finished(outcome) = solve(&model, &Settings::default(), &mut Silent)? else {
-//!     unreachable!("nobody stops this run")
-//! };
+//! let outcome = tresca::solve(&model)?;
 //! assert!(outcome.converged());
 //! assert!(outcome.last().certificate.worst() < 1e-6);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -31,51 +29,49 @@
 
 pub mod algebraic;
 pub mod assemble;
+mod balance;
 pub mod case;
-pub mod certificate;
 mod check;
-pub mod dual;
-mod elastic;
-mod ellipse;
 mod error;
 pub mod fclib;
 mod floating;
-mod layout;
 pub mod linear;
 mod load_step;
-mod measures;
 pub mod memory;
 mod outcome;
 pub mod output;
-pub mod progress;
+mod pair_state;
 mod reactions;
 mod solve;
 mod summary;
 mod surface_fields;
 pub mod two_bricks;
 
-pub use certificate::Certificate;
 pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
 pub use error::SolveError;
-pub use floating::{Floating, UnresistedMotion};
-pub use layout::Layout;
+pub use floating::UnresistedMotion;
 pub use load_step::Acting;
-pub use outcome::{Outcome, PairState, StepOutcome, Times};
-pub use progress::{Progress, Silent, Stage};
+pub use outcome::{Outcome, StepOutcome};
+pub use pair_state::PairState;
 pub use reactions::SupportReaction;
-pub use solve::{Description, Prepared, Run, prepare, solve};
+pub use solve::{PreparedModel, factor_error, prepare, solve, solve_with};
 pub use summary::Summary;
 pub use surface_fields::SurfaceFields;
-pub use tresca_model::{self as model, Model, ModelError, SurfaceRef};
 pub use two_bricks::two_bricks;
 
 pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
 pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
+pub use tresca_model::{self as model, Model, ModelError, SurfaceRef};
 pub use tresca_qcqp::{
     CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts,
     Status,
 };
+pub use tresca_system::certificate::{self, Certificate};
+pub use tresca_system::description::{Description, FactorWork, Times};
+pub use tresca_system::engine::EngineChoice;
+pub use tresca_system::layout::Layout;
+pub use tresca_system::progress::{self, Progress, Silent, Stage, StepInfo, Stopped};
 
 /// Version of the library, written into every result file.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

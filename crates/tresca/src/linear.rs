@@ -3,11 +3,12 @@
 use std::time::Instant;
 
 use serde::Serialize;
+use tresca_model::Model;
+use tresca_system::body::{Body, Factors};
+use tresca_system::description::FactorWork;
 
-use crate::SolveError;
-use crate::assemble::Assembled;
-use crate::dual::{FactorWork, factor};
-use crate::model::Model;
+use crate::error::SolveError;
+use crate::solve::factor_error;
 
 /// What one linear solve of all bodies costs: plain nested dissection, factorisation, one
 /// pair of sweeps. Assembly is not part of it.
@@ -19,15 +20,16 @@ pub struct LinearSolve {
     pub factorization: FactorWork,
 }
 
-/// Factors and solves the bodies as if they did not touch.
+/// Factors and solves the bodies of a model as if they did not touch.
 ///
 /// # Errors
 /// When a stiffness matrix is not positive definite.
-pub fn linear_solve(model: &Model, assembled: &Assembled) -> Result<LinearSolve, SolveError> {
+pub fn linear_solve(model: &Model, bodies: &[Body]) -> Result<LinearSolve, SolveError> {
     let begin = Instant::now();
-    let factored = factor(model, assembled, false)?;
+    let factors = Factors::new(bodies, false);
+    let factors = factors.map_err(|(body, failure)| factor_error(model, body, failure))?;
     Ok(LinearSolve {
         seconds: begin.elapsed().as_secs_f64(),
-        factorization: factored.work,
+        factorization: factors.work,
     })
 }

@@ -3,6 +3,7 @@
 use tresca_contact::{Field, Sliding};
 use tresca_fem::{assembly, loads};
 use tresca_la::vector::{axpy, dot};
+use tresca_system::load_case::LoadCase;
 
 use crate::SolveError;
 use crate::assemble::{Assembled, supports};
@@ -15,29 +16,20 @@ pub struct Acting {
     pub loads: Vec<Vec<f64>>,
     /// Prescribed displacement of each body over its full dofs, zero at free ones.
     pub prescribed: Vec<Vec<f64>>,
-    /// f − K u for these displacements, over the free dofs: the right-hand side.
-    pub free_loads: Vec<Vec<f64>>,
-    /// The law of every pair, slip bounds as they are in this step.
-    pub slidings: Vec<Sliding>,
-    /// What the motion of obstacles adds to B u: \[−ν·v; −τ·v\] of pairs with an obstacle that moves by v, zero
-    /// of all others. Length d m.
-    pub obstacle_motion: Vec<f64>,
+    /// The same as linear algebra.
+    pub case: LoadCase,
 }
 
-impl Acting {
-    /// Approach and slip of every pair: B u less what the obstacles move.
-    pub fn relative(&self, assembled: &Assembled, displacements: &[Vec<f64>]) -> Vec<f64> {
-        let mut relative = assembled.relative(displacements);
-        axpy(1.0, &self.obstacle_motion, &mut relative);
-        relative
-    }
-}
-
-/// What acts in a step.
+/// What acts in a step; `relative` is B u of the step before.
 ///
 /// # Errors
 /// When a load is not finite somewhere, or two supports disagree about a displacement.
-pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Acting, SolveError> {
+pub fn acting(
+    model: &Model,
+    assembled: &Assembled,
+    step: &Step,
+    relative: &[f64],
+) -> Result<Acting, SolveError> {
     let bodies = model.bodies();
     let mut all_loads = Vec::with_capacity(bodies.len());
     let mut all_prescribed = Vec::with_capacity(bodies.len());
@@ -61,19 +53,30 @@ pub fn acting(model: &Model, assembled: &Assembled, step: &Step) -> Result<Actin
         all_loads.push(load);
         all_prescribed.push(prescribed);
     }
-    let slidings = assembled.contacts.iter().zip(&step.bounds);
+    let slidings: Vec<Sliding> = assembled
+        .contacts
+        .iter()
+        .zip(&step.bounds)
+        .flat_map(|(data, &amount)| {
+            let pairs = data.pairs.iter();
+            pairs.map(move |pair| sliding(pair.sliding, pair.area, amount))
+        })
+        .collect();
+    let mut base = assembled.relative(&all_prescribed);
+    axpy(1.0, &obstacle_motion(model, assembled, step), &mut base);
+    let sizes = all_prescribed.iter().flatten();
+    let held = sizes.fold(0.0, |a: f64, u| a.max(u.abs()));
     Ok(Acting {
         loads: all_loads,
         prescribed: all_prescribed,
-        free_loads,
-        slidings: slidings
-            .flat_map(|(data, &amount)| {
-                data.pairs
-                    .iter()
-                    .map(move |pair| sliding(pair.sliding, pair.area, amount))
-            })
-            .collect(),
-        obstacle_motion: obstacle_motion(model, assembled, step),
+        case: LoadCase {
+            loads: free_loads,
+            base,
+            gaps: assembled.pairs().map(|pair| pair.gap).collect(),
+            origin: LoadCase::origin_after(&assembled.layout, &slidings, relative),
+            slidings,
+            held,
+        },
     })
 }
 
@@ -85,6 +88,8 @@ fn motion_of_obstacle(model: &Model, step: &Step, number: usize) -> [f64; 3] {
     }
 }
 
+/// What the motion of obstacles adds to B u: \[−ν·v; −τ·v\] of pairs with an obstacle that moves by v, zero of all
+/// others. Length d m.
 fn obstacle_motion(model: &Model, assembled: &Assembled, step: &Step) -> Vec<f64> {
     let layout = &assembled.layout;
     let (m, tangents) = (layout.pair_count(), layout.tangents());

@@ -18,7 +18,8 @@ use tresca_io::{WriteError, summary};
 
 use crate::check::Check;
 use crate::model::{Body, Model};
-use crate::outcome::{Outcome, PairState, StepOutcome};
+use crate::outcome::{Outcome, StepOutcome};
+use crate::pair_state::PairState;
 use crate::{IterationRecord, Summary, VERSION};
 
 /// Name of the file with the contact fields.

@@ -5,9 +5,8 @@ use tresca_fem::FemError;
 use tresca_fem::assembly::internal_forces;
 use tresca_fem::loads::resultant;
 
-use crate::assemble::Assembled;
-use crate::load_step::Acting;
-use crate::model::Model;
+use tresca_fem::dofs::DofMap;
+use tresca_model::{Body, Model};
 
 /// Resultant of the forces that a support puts on its bodies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,24 +25,15 @@ pub struct SupportReaction {
 /// The reactions at a body's nodes, over its full dofs; zero at free ones. A held dof hands on what the
 /// elements put on it, less the load and the contact there.
 pub(crate) fn nodal_reactions(
-    model: &Model,
-    assembled: &Assembled,
-    acting: &Acting,
-    displacements: &[Vec<f64>],
-    lambda: &[f64],
-    index: usize,
+    body: &Body,
+    dofs: &DofMap,
+    displacement: &[f64],
+    load: &[f64],
+    contact: &[f64],
 ) -> Result<Vec<f64>, FemError> {
-    let body = &model.bodies()[index];
-    let contact = assembled.contact_forces(index, lambda);
-    let load = &acting.loads[index];
-    let internal = internal_forces(
-        &body.mesh,
-        &body.material,
-        body.formulation,
-        &displacements[index],
-    )?;
+    let internal = internal_forces(&body.mesh, &body.material, body.formulation, displacement)?;
     let mut reaction = vec![0.0; internal.len()];
-    for dof in assembled.bodies[index].dofs.prescribed() {
+    for dof in dofs.prescribed() {
         reaction[dof] = internal[dof] - load[dof] - contact[dof];
     }
     Ok(reaction)

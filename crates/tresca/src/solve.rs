@@ -1,242 +1,197 @@
-//! The run: model → matrices → dual problem → λ → u → certificate, load step after load step.
+//! The run of a model: model → matrices → dual problem → forces → displacements, load step after load step.
 
-use std::ops::ControlFlow;
 use std::time::Instant;
 
-use serde::Serialize;
-use tresca_contact::Sliding;
-use tresca_la::vector::{axpy, dot};
-use tresca_qcqp::{DualProblem, Settings, Solution, Start, Status};
+use tresca_qcqp::{Engine, Settings};
+use tresca_system::body::{FactorFailure, Factors};
+use tresca_system::description::{Description, Times};
+use tresca_system::engine::choose_engine;
+use tresca_system::load_case::WarmStart;
+use tresca_system::prepared::{Parts, Prepared};
+use tresca_system::progress::{Progress, Silent, Stage, StepInfo, begin};
+use tresca_system::solved::Solved;
 
 use crate::assemble::{Assembled, assemble};
-use crate::certificate::{Candidate, certify};
-use crate::dual::{
-    EngineChoice, FactorWork, Factored, choose_engine, dual_problem, factor, full_displacements,
-};
-use crate::elastic::{add_motions, displacements, load_on_motions};
+use crate::balance::balance;
+use crate::error::SolveError;
 use crate::floating::unresisted;
-use crate::layout::Layout;
 use crate::load_step::{Acting, acting};
-use crate::model::Step;
-use crate::outcome::{Outcome, StepOutcome, Times, pair_states};
-use crate::progress::{Progress, Stage};
+use crate::memory;
+use crate::outcome::{Outcome, StepOutcome};
+use crate::pair_state::pair_states;
 use crate::reactions::nodal_reactions;
 use crate::surface_fields::SurfaceFields;
-use crate::{Model, SolveError, memory};
+use tresca_model::{Model, Step};
 
-/// Sizes of a problem and how it is going to be solved.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Description {
-    /// n, free and held dofs of all bodies.
-    pub dofs: usize,
-    /// Number of bodies.
-    pub bodies: usize,
-    /// m, number of contact pairs.
-    pub pairs: usize,
-    /// Pairs left out because both nodes are held.
-    pub held_pairs: usize,
-    /// Rigid motions that the supports leave to the bodies, and that contact has to hold.
-    pub rigid_motions: usize,
-    /// The engine and why.
-    pub engine: EngineChoice,
-    /// What the factorisation cost.
-    pub factorization: FactorWork,
-}
-
-/// A model that is assembled, factored and posed as a dual problem: ready to be solved, more
-/// than once if need be.
-pub struct Prepared {
-    /// K, B, d and the friction data.
-    pub assembled: Assembled,
-    /// The factors.
-    pub factored: Factored,
-    /// A, b and Λ.
-    pub dual: DualProblem<'static>,
-    /// Sizes and engine.
-    pub description: Description,
-    /// Seconds spent on assembly and factorisation.
-    pub times: Times,
-}
-
-/// How a run ended.
-pub enum Run {
-    /// To its end, or to the first step that failed. Whether it *converged*, the outcome's status says.
-    Finished(Box<Outcome>),
-    /// Stopped by the caller before the first iteration, at this stage: there is no result.
-    Stopped(Stage),
-}
-
-/// Prepares and solves.
+/// Solves a model with the default settings.
 ///
 /// # Errors
 /// When the model is wrong. How the solve ended is an outcome, not an error.
-pub fn solve(
+pub fn solve(model: &Model) -> Result<Outcome, SolveError> {
+    solve_with(model, &Settings::default(), &mut Silent)
+}
+
+/// Solves a model; `progress` hears of it and may stop it.
+///
+/// # Errors
+/// When the model or a setting is wrong, and [`SolveError::Stopped`] when `progress` stops the run before its
+/// first iteration: there is no outcome then. Later it is an outcome.
+pub fn solve_with(
     model: &Model,
     settings: &Settings,
     progress: &mut dyn Progress,
-) -> Result<Run, SolveError> {
+) -> Result<Outcome, SolveError> {
     settings.validate()?;
-    match prepare(model, settings, progress)? {
-        ControlFlow::Break(stage) => Ok(Run::Stopped(stage)),
-        ControlFlow::Continue(mut prepared) => prepared.solve(model, settings, progress),
-    }
+    prepare(model, settings, progress)?.solve(settings, progress)
+}
+
+/// A model that is assembled, factored and posed as a dual problem: ready to be solved, more than once if need
+/// be.
+pub struct PreparedModel<'m> {
+    model: &'m Model,
+    assembled: Assembled,
+    system: Prepared,
 }
 
 /// Assembles, factors and poses the dual problem.
 ///
 /// # Errors
-/// When the model is wrong.
-pub fn prepare(
-    model: &Model,
+/// When the model is wrong, or `progress` stops the run.
+pub fn prepare<'m>(
+    model: &'m Model,
     settings: &Settings,
     progress: &mut dyn Progress,
-) -> Result<ControlFlow<Stage, Prepared>, SolveError> {
-    let begin = Instant::now();
-    if progress.stage(Stage::Assembly).is_break() {
-        return Ok(ControlFlow::Break(Stage::Assembly));
-    }
-    let assembled = assemble(model)?;
-    let assembly = begin.elapsed().as_secs_f64();
+) -> Result<PreparedModel<'m>, SolveError> {
+    begin(progress, Stage::Assembly)?;
+    let clock = Instant::now();
+    let (assembled, bodies) = assemble(model)?;
+    let assembly = clock.elapsed().as_secs_f64();
 
-    if progress.stage(Stage::Factorization).is_break() {
-        return Ok(ControlFlow::Break(Stage::Factorization));
-    }
-    let begin = Instant::now();
-    let many = model.steps().len() > 1
-        || model
-            .contacts()
-            .iter()
-            .any(|contact| contact.friction.is_coulomb());
+    begin(progress, Stage::Factorization)?;
+    let clock = Instant::now();
+    let coulomb = |contact: &tresca_model::Contact| contact.friction.is_coulomb();
+    let many = model.steps().len() > 1 || model.contacts().iter().any(coulomb);
     let engine = choose_engine(settings.engine, assembled.layout.unknowns(), many);
-    let contact_last = engine.engine != tresca_qcqp::Engine::Factored;
-    let factored = factor(model, &assembled, contact_last)?;
-    let dual = dual_problem(model, &assembled, &factored, engine.engine)?;
-    let floating = assembled
-        .bodies
-        .iter()
-        .filter_map(|body| body.floating.as_ref());
-    let description = Description {
-        dofs: assembled.dof_count(),
-        bodies: assembled.bodies.len(),
-        pairs: assembled.pair_count(),
-        held_pairs: assembled
-            .contacts
-            .iter()
-            .map(|contact| contact.held_pairs)
-            .sum(),
-        rigid_motions: floating.map(|floating| floating.motions.len()).sum(),
+    let factors = Factors::new(&bodies, engine.engine != Engine::Factored);
+    let factors = factors.map_err(|(body, failure)| factor_error(model, body, failure))?;
+    let slidings: Vec<_> = assembled.pairs().map(|pair| pair.sliding).collect();
+    let parts = Parts {
+        bodies,
+        factors,
+        layout: assembled.layout.clone(),
+        slidings: &slidings,
+        patches: assembled.patches(),
         engine,
-        factorization: factored.work,
+        dofs: assembled.dof_count(),
+        held_pairs: assembled.contacts.iter().map(|data| data.held_pairs).sum(),
     };
-    progress.problem(&description);
-    Ok(ControlFlow::Continue(Prepared {
-        times: Times {
-            assembly,
-            contact: assembled.contact_seconds,
-            factorization: begin.elapsed().as_secs_f64(),
-            ..Times::default()
-        },
+    let times = Times {
+        assembly,
+        contact: assembled.contact_seconds,
+        factorization: clock.elapsed().as_secs_f64(),
+        ..Times::default()
+    };
+    let system = Prepared::new(parts, times)?;
+    progress.problem(system.description());
+    Ok(PreparedModel {
+        model,
         assembled,
-        factored,
-        dual,
-        description,
-    }))
+        system,
+    })
+}
+
+/// The error of a body that has no factor.
+pub fn factor_error(model: &Model, body: usize, failure: FactorFailure) -> SolveError {
+    let body = model.bodies()[body].name.clone();
+    match failure {
+        FactorFailure::Ordering(source) => SolveError::Ordering { body, source },
+        FactorFailure::Factor(source) => SolveError::Factorization { body, source },
+    }
 }
 
 /// Where the step before left the contact.
 struct State {
-    /// Number of the step that is made, from 1; 0 before the first.
-    number: usize,
     /// B u.
     relative: Vec<f64>,
-    /// The solver's unknowns μ and α with the laws they belong to; `None` before the first step.
-    solved: Option<Solved>,
+    /// What the solver may start from; `None` before the first step.
+    start: Option<WarmStart>,
 }
 
-struct Solved {
-    mu: Vec<f64>,
-    multiplier: Vec<f64>,
-    slidings: Vec<Sliding>,
-}
-
-impl Solved {
-    /// μ as a start for other slip bounds: friction forces grow and shrink with their bounds, or the
-    /// start would be worse than none.
-    fn start(&self, layout: &Layout, slidings: &[Sliding]) -> Vec<f64> {
-        let mut mu = self.mu.clone();
-        let m = layout.pair_count();
-        let tangents = layout.unknowns() / m - 1;
-        for (i, (old, new)) in self.slidings.iter().zip(slidings).enumerate() {
-            let largest = |sliding: &Sliding| match sliding {
-                Sliding::Bounded([a, b]) => Some(a.max(*b)),
-                Sliding::Never | Sliding::Coulomb { .. } => None,
-            };
-            if let (Some(old), Some(new)) = (largest(old), largest(new))
-                && old > 0.0
-                && old != new
-            {
-                let first = m + tangents * i;
-                mu[first..first + tangents]
-                    .iter_mut()
-                    .for_each(|x| *x *= new / old);
-            }
-        }
-        mu
+impl PreparedModel<'_> {
+    /// The model.
+    pub fn model(&self) -> &Model {
+        self.model
     }
-}
 
-impl Prepared {
+    /// The dofs, and the pairs with their frames, gaps and areas.
+    pub fn assembled(&self) -> &Assembled {
+        &self.assembled
+    }
+
+    /// Sizes and engine.
+    pub fn description(&self) -> &Description {
+        self.system.description()
+    }
+
+    /// The factored bodies and their dual problem.
+    pub fn system(&mut self) -> &mut Prepared {
+        &mut self.system
+    }
+
     /// Solves the load steps of the model one after another, each from the state that the one before
     /// left, and recovers displacements, contact state and certificate.
     ///
     /// # Errors
-    /// When the settings are wrong, or a load is not finite.
+    /// When the settings are wrong, a load is not finite, or `progress` stops the run before the first
+    /// iteration.
     pub fn solve(
         &mut self,
-        model: &Model,
         settings: &Settings,
         progress: &mut dyn Progress,
-    ) -> Result<Run, SolveError> {
+    ) -> Result<Outcome, SolveError> {
         let own;
-        let steps = match model.steps() {
+        let steps = match self.model.steps() {
             [] => {
-                own = [model.whole_step()];
+                own = [self.model.whole_step()];
                 &own[..]
             }
             steps => steps,
         };
         // A run counts its own work, whatever was solved before.
-        self.dual.forget();
+        self.system.dual().forget();
         let mut state = State {
-            number: 0,
             relative: vec![0.0; self.assembled.layout.unknowns()],
-            solved: None,
+            start: None,
         };
         let mut outcome = Outcome {
-            description: self.description.clone(),
+            description: self.system.description().clone(),
             settings: settings.clone(),
             steps: Vec::with_capacity(steps.len()),
             planned_steps: steps.len(),
-            times: self.times,
+            times: self.system.times(),
             peak_memory_bytes: None,
         };
-        for step in steps {
-            state.number += 1;
-            progress.step(state.number, steps.len(), step);
-            if progress.stage(Stage::Solve).is_break() {
-                if outcome.steps.is_empty() {
-                    return Ok(Run::Stopped(Stage::Solve));
-                }
-                break;
-            }
+        for (index, step) in steps.iter().enumerate() {
+            let info = StepInfo {
+                number: index + 1,
+                count: steps.len(),
+                time: step.time,
+                name: step.name.as_deref(),
+            };
+            progress.step(&info);
             let done = self.step(
-                model,
-                settings,
+                &info,
                 step,
                 &mut state,
+                settings,
                 &mut outcome.times,
                 progress,
-            )?;
+            );
+            let done = match done {
+                // What was solved so far is a result.
+                Err(SolveError::Stopped(_)) if index > 0 => break,
+                done => done?,
+            };
             let converged = done.converged();
             outcome.steps.push(done);
             if !converged {
@@ -244,158 +199,80 @@ impl Prepared {
             }
         }
         outcome.peak_memory_bytes = memory::peak_bytes();
-        Ok(Run::Finished(Box::new(outcome)))
+        Ok(outcome)
     }
 
     fn step(
         &mut self,
-        model: &Model,
-        settings: &Settings,
+        info: &StepInfo<'_>,
         step: &Step,
         state: &mut State,
+        settings: &Settings,
         times: &mut Times,
         progress: &mut dyn Progress,
     ) -> Result<StepOutcome, SolveError> {
-        let begin = Instant::now();
-        let acting = acting(model, &self.assembled, step)?;
-        let load_energy = self.pose(&acting, &state.relative)?;
-        times.recovery += begin.elapsed().as_secs_f64();
-
-        let begin = Instant::now();
-        let mut observer = |record: &tresca_qcqp::IterationRecord| progress.iteration(record);
-        let before = state.solved.as_ref().map(|solved| {
-            let mu = solved.start(&self.assembled.layout, &acting.slidings);
-            (mu, &solved.multiplier)
-        });
-        let start = before
-            .as_ref()
-            .map(|(lambda, multiplier)| Start { lambda, multiplier });
-        let solution = tresca_qcqp::solve(&mut self.dual, settings, start, &mut observer)?;
-        times.solve += begin.elapsed().as_secs_f64();
-        times.multiplications += solution.seconds_in_products;
-
-        // From here on the result exists; an interruption must not lose it.
-        let _ = progress.stage(Stage::Recovery);
-        let begin = Instant::now();
-        let outcome = self.recover(model, step, &acting, solution, load_energy, state)?;
-        times.recovery += begin.elapsed().as_secs_f64();
+        let clock = Instant::now();
+        let acting = acting(self.model, &self.assembled, step, &state.relative)?;
+        times.recovery += clock.elapsed().as_secs_f64();
+        let start = state.start.as_ref();
+        let solved = self
+            .system
+            .solve(&acting.case, start, settings, times, progress)?;
+        let clock = Instant::now();
+        state.start = Some(solved.start());
+        let outcome = self.recover(info, &acting, solved, &mut state.relative)?;
+        times.recovery += clock.elapsed().as_secs_f64();
         Ok(outcome)
     }
 
-    /// Poses the dual problem of a step: b = B u⁰ − c with u⁰ the displacement without contact (and
-    /// obstacles where they are in the step), c = \[d; T u of the step before\], e = Rᵀf, and the slip bounds. Returns fᵀK⁺f.
-    fn pose(&mut self, acting: &Acting, previous: &[f64]) -> Result<f64, SolveError> {
-        let assembled = &self.assembled;
-        let layout = &assembled.layout;
-        let without = vec![0.0; layout.unknowns()];
-        let bodies = assembled.elastic();
-        let free = displacements(&bodies, &self.factored, &acting.free_loads, &without);
-        let energy = acting
-            .free_loads
-            .iter()
-            .zip(&free)
-            .map(|(f, u)| dot(f, u))
-            .sum();
-        let mut b = assembled.relative(&full_displacements(assembled, &free, &acting.prescribed));
-        axpy(1.0, &acting.obstacle_motion, &mut b);
-        for (b, pair) in b.iter_mut().zip(assembled.pairs()) {
-            *b -= pair.gap;
-        }
-        for i in layout.frictional(&acting.slidings) {
-            b[i] -= previous[i];
-        }
-        self.dual.set_rhs(layout.dual(&b))?;
-        self.dual.set_set(layout.set(&acting.slidings)?)?;
-        if self.description.rigid_motions > 0 {
-            let on_motions = load_on_motions(&bodies, &acting.free_loads);
-            self.dual.set_equality_rhs(&on_motions)?;
-        }
-        Ok(energy)
-    }
-
+    /// From the free dofs to the bodies: fields, reactions, balances. `relative` is B u of the step before, and
+    /// becomes that of this one.
     fn recover(
         &self,
-        model: &Model,
-        step: &Step,
+        info: &StepInfo<'_>,
         acting: &Acting,
-        solution: Solution,
-        load_energy: f64,
-        state: &mut State,
+        mut solved: Solved,
+        relative: &mut Vec<f64>,
     ) -> Result<StepOutcome, SolveError> {
-        let assembled = &self.assembled;
-        let no_equilibrium = solution.status == Status::NoEquilibrium;
-        let free = if no_equilibrium {
-            // There is no displacement; the supports alone are where they should be.
-            assembled
-                .bodies
-                .iter()
-                .map(|body| vec![0.0; body.dofs.free_len()])
-                .collect()
-        } else {
-            let (loads, mu) = (&acting.free_loads, &solution.lambda);
-            let bodies = assembled.elastic();
-            let mut free = displacements(&bodies, &self.factored, loads, mu);
-            add_motions(&bodies, &solution.multiplier, &mut free);
-            free
-        };
-        let displacements = full_displacements(assembled, &free, &acting.prescribed);
-        let lambda = assembled.layout.forces(&solution.lambda);
-        let relative = acting.relative(assembled, &displacements);
-        let contacts = pair_states(
-            assembled,
-            acting,
-            &solution,
-            &lambda,
-            &relative,
-            &state.relative,
-        );
-        let reactions = (0..model.bodies().len())
-            .map(|body| {
-                nodal_reactions(model, assembled, acting, &displacements, &lambda, body).map_err(
-                    |source| SolveError::Body {
-                        body: model.bodies()[body].name.clone(),
-                        source,
-                    },
-                )
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        let surfaces = (0..model.bodies().len())
-            .map(|body| {
-                let forces = assembled.contact_forces(body, &lambda);
-                SurfaceFields::new(model, assembled, &contacts, &forces, body)
-            })
-            .collect();
-        let certificate = certify(
-            model,
-            assembled,
-            &Candidate {
-                lambda: &lambda,
-                displacements: &displacements,
-                reactions: &reactions,
-                previous: &state.relative,
-                acting,
-                dual_objective: solution.objective,
-                load_energy,
-            },
-        );
-        let motion = solution.motion.as_deref().filter(|_| no_equilibrium);
-        let unresisted = motion.map(|v| unresisted(model, assembled, v));
-        state.relative = relative;
-        state.solved = Some(Solved {
-            mu: solution.lambda.clone(),
-            multiplier: solution.multiplier.clone(),
-            slidings: acting.slidings.clone(),
-        });
+        let (model, assembled) = (self.model, &self.assembled);
+        let displacements = assembled.full_displacements(&solved.displacements, &acting.prescribed);
+        let contacts = pair_states(assembled, &solved, relative);
+        let mut reactions = Vec::with_capacity(model.bodies().len());
+        let mut surfaces = Vec::with_capacity(model.bodies().len());
+        for (index, body) in model.bodies().iter().enumerate() {
+            let forces = assembled.contact_forces(index, &solved.forces);
+            let load = &acting.loads[index];
+            let dofs = &assembled.bodies[index].dofs;
+            let reaction = nodal_reactions(body, dofs, &displacements[index], load, &forces);
+            let reaction = reaction.map_err(|source| SolveError::Body {
+                body: body.name.clone(),
+                source,
+            })?;
+            solved.certificate.bodies.push(balance(
+                body,
+                dofs,
+                &self.system.bodies()[index],
+                [load, &forces, &reaction],
+                &solved.displacements[index],
+            ));
+            surfaces.push(SurfaceFields::new(
+                model, assembled, &contacts, &forces, index,
+            ));
+            reactions.push(reaction);
+        }
+        let motion = solved.dual.motion.as_ref().zip(solved.unresisted.as_ref());
+        let unresisted = motion.map(|(v, free)| unresisted(model, assembled, v, free));
+        *relative = solved.relative;
         Ok(StepOutcome {
-            number: state.number,
-            time: step.time,
-            name: step.name.clone(),
-            solution,
+            number: info.number,
+            time: info.time,
+            name: info.name.map(str::to_owned),
+            solution: solved.dual,
             displacements,
             reactions,
             contacts,
             surfaces,
-            certificate,
+            certificate: solved.certificate,
             unresisted,
         })
     }

@@ -4,11 +4,13 @@ use serde::Serialize;
 use tresca_qcqp::{Settings, Status};
 
 use crate::certificate::Certificate;
-use crate::dual::{EngineChoice, FactorWork};
 use crate::floating::UnresistedMotion;
 use crate::model::Model;
-use crate::outcome::{Outcome, PairState, StepOutcome};
+use crate::outcome::{Outcome, StepOutcome};
+use crate::pair_state::PairState;
 use crate::reactions::{SupportReaction, support_reactions};
+use tresca_system::description::FactorWork;
+use tresca_system::engine::EngineChoice;
 
 /// `summary.json`. Forces, lengths and stresses in the user's units.
 #[derive(Debug, Clone, Serialize)]

@@ -5,7 +5,7 @@ use tresca_contact::ContactData;
 
 use crate::assemble::Assembled;
 use crate::model::{Contact, Model};
-use crate::outcome::PairState;
+use crate::pair_state::PairState;
 
 /// What a node of a body does; written as the field `contact_status`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -31,157 +31,155 @@ pub enum FileError {
     },
 }
 
-impl Problem {
-    /// Reads a problem from an `.npz` archive or a folder of Matrix Market files (docs/problem-files.md).
-    ///
-    /// # Errors
-    /// Everything that is wrong with the files, with file, key, expected and found.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        let path = path.as_ref();
-        Self::from_content(problem::read(path)?, path)
-    }
+/// Reads a problem from an `.npz` archive or a folder of Matrix Market files (docs/problem-files.md).
+///
+/// # Errors
+/// Everything that is wrong with the files, with file, key, expected and found.
+pub fn read(path: impl AsRef<Path>) -> Result<Problem, FileError> {
+    let path = path.as_ref();
+    from_content(problem::read(path)?, path)
+}
 
-    fn from_content(content: Content, path: &Path) -> Result<Self, FileError> {
-        let in_file = |source| FileError::Content {
-            path: path.to_owned(),
-            source,
-        };
-        let matrix = |what, sparse: &Sparse| {
-            Matrix::from_triplets(sparse.shape, &sparse.rows, &sparse.columns, &sparse.values)
-                .map_err(|source| in_file(AlgebraicError::Matrix { what, source }))
-        };
-        let blocks = content
-            .stiffness
-            .iter()
-            .map(|k| matrix("K", k))
-            .collect::<Result<Vec<_>, _>>()?;
-        let normal = matrix("N", &content.normal)?;
-        let m = normal.rows();
-        let tangential = content
-            .tangential
-            .as_ref()
-            .map(|t| matrix("T", t))
-            .transpose()?;
-        let kernel = match &content.kernel {
-            None => Kernel::Find,
-            Some(vectors) => Kernel::Given(columns(vectors, path)?),
-        };
-        let points = content
-            .points
-            .as_ref()
-            .map(|points| triples(points, path))
-            .transpose()?;
-        let friction = friction(&content, m, tangential.is_some(), path)?;
-        let start = match (content.start_normal, content.start_tangential) {
-            (None, None) => None,
-            (normal, tangential_force) => Some(Forces {
-                normal: normal.unwrap_or_else(|| vec![0.0; m]),
-                tangential: tangential_force
-                    .unwrap_or_else(|| vec![0.0; tangential.as_ref().map_or(0, Matrix::rows)]),
-                kernel_amounts: Vec::new(),
-            }),
-        };
-        Ok(Self {
-            stiffness: blocks,
-            kernel,
-            normal,
-            tangential,
-            points,
-            many_solves: false,
-            conditions: Conditions {
-                load: content.load,
-                gap: content.gap,
-                friction,
-                previous_slip: content.previous_slip,
-                start,
-            },
-        })
-    }
+fn from_content(content: Content, path: &Path) -> Result<Problem, FileError> {
+    let in_file = |source| FileError::Content {
+        path: path.to_owned(),
+        source,
+    };
+    let matrix = |what, sparse: &Sparse| {
+        Matrix::from_triplets(sparse.shape, &sparse.rows, &sparse.columns, &sparse.values)
+            .map_err(|source| in_file(AlgebraicError::Matrix { what, source }))
+    };
+    let blocks = content
+        .stiffness
+        .iter()
+        .map(|k| matrix("K", k))
+        .collect::<Result<Vec<_>, _>>()?;
+    let normal = matrix("N", &content.normal)?;
+    let m = normal.rows();
+    let tangential = content
+        .tangential
+        .as_ref()
+        .map(|t| matrix("T", t))
+        .transpose()?;
+    let kernel = match &content.kernel {
+        None => Kernel::Find,
+        Some(vectors) => Kernel::Given(columns(vectors, path)?),
+    };
+    let points = content
+        .points
+        .as_ref()
+        .map(|points| triples(points, path))
+        .transpose()?;
+    let friction = friction(&content, m, tangential.is_some(), path)?;
+    let start = match (content.start_normal, content.start_tangential) {
+        (None, None) => None,
+        (normal, tangential_force) => Some(Forces {
+            normal: normal.unwrap_or_else(|| vec![0.0; m]),
+            tangential: tangential_force
+                .unwrap_or_else(|| vec![0.0; tangential.as_ref().map_or(0, Matrix::rows)]),
+            kernel_amounts: Vec::new(),
+        }),
+    };
+    Ok(Problem {
+        stiffness: blocks,
+        kernel,
+        normal,
+        tangential,
+        points,
+        many_solves: false,
+        conditions: Conditions {
+            load: content.load,
+            gap: content.gap,
+            friction,
+            previous_slip: content.previous_slip,
+            start,
+        },
+    })
+}
 
-    /// The problem as files hold it.
-    ///
-    /// # Errors
-    /// When there are not as many laws as pairs.
-    fn to_content(&self) -> Result<Content, AlgebraicError> {
-        let laws = self.conditions.friction.laws(self.pairs())?;
-        let figures = |pick: fn(&Law) -> [f64; 2]| {
-            let values: Vec<[f64; 2]> = laws.iter().map(pick).collect();
-            if values.iter().all(|[a, b]| a == b) {
-                Dense::vector(values.iter().map(|[a, _]| *a).collect())
-            } else {
-                Dense {
-                    shape: vec![values.len(), 2],
-                    values: values.concat(),
-                }
+/// The problem as files hold it.
+///
+/// # Errors
+/// When there are not as many laws as pairs.
+fn to_content(own: &Problem) -> Result<Content, AlgebraicError> {
+    let laws = own.conditions.friction.laws(own.pairs())?;
+    let figures = |pick: fn(&Law) -> [f64; 2]| {
+        let values: Vec<[f64; 2]> = laws.iter().map(pick).collect();
+        if values.iter().all(|[a, b]| a == b) {
+            Dense::vector(values.iter().map(|[a, _]| *a).collect())
+        } else {
+            Dense {
+                shape: vec![values.len(), 2],
+                values: values.concat(),
             }
-        };
-        let used =
-            |dense: Dense, unused: f64| dense.values.iter().any(|&x| x != unused).then_some(dense);
-        let bounds = figures(|law| match *law {
-            Law::Tresca { bound } | Law::Bilateral { bound } => [bound; 2],
-            Law::Orthotropic { bounds } => bounds,
-            _ => [0.0; 2],
-        });
-        let coefficients = figures(|law| match *law {
-            Law::Coulomb { coefficients, .. } => coefficients,
-            _ => [0.0; 2],
-        });
-        let limits = figures(|law| match *law {
-            Law::Coulomb { limit, .. } => [limit; 2],
-            _ => [f64::INFINITY; 2],
-        });
-        let mut words: Vec<String> = laws.iter().map(|law| law.name().to_owned()).collect();
-        let needs_bounds = words
-            .iter()
-            .any(|word| ["tresca", "orthotropic"].contains(&word.as_str()));
-        let needs_coefficients = words.iter().any(|word| word == "coulomb");
-        if words.iter().all(|word| *word == words[0]) {
-            words.truncate(1);
         }
-        let kernel = match &self.kernel {
-            Kernel::Find => None,
-            Kernel::Given(vectors) => {
-                let n = self.dofs();
-                let entry = |k: usize| vectors[k % vectors.len()][k / vectors.len()];
-                Some(Dense {
-                    shape: vec![n, vectors.len()],
-                    values: (0..n * vectors.len()).map(entry).collect(),
-                })
-            }
-        };
-        let conditions = &self.conditions;
-        Ok(Content {
-            stiffness: self.stiffness.iter().map(sparse).collect(),
-            kernel,
-            normal: sparse(&self.normal),
-            tangential: self.tangential.as_ref().map(sparse),
-            load: conditions.load.clone(),
-            gap: conditions.gap.clone(),
-            law: Some(words),
-            bounds: if needs_bounds {
-                Some(bounds)
-            } else {
-                used(bounds, 0.0)
-            },
-            coefficients: if needs_coefficients {
-                Some(coefficients)
-            } else {
-                None
-            },
-            limits: used(limits, f64::INFINITY),
-            previous_slip: conditions.previous_slip.clone(),
-            start_normal: conditions.start.as_ref().map(|start| start.normal.clone()),
-            start_tangential: conditions
-                .start
-                .as_ref()
-                .map(|start| start.tangential.clone()),
-            points: self.points.as_ref().map(|points| Dense {
-                shape: vec![points.len(), 3],
-                values: points.as_flattened().to_vec(),
-            }),
-            info: Vec::new(),
-        })
+    };
+    let used =
+        |dense: Dense, unused: f64| dense.values.iter().any(|&x| x != unused).then_some(dense);
+    let bounds = figures(|law| match *law {
+        Law::Tresca { bound } | Law::Bilateral { bound } => [bound; 2],
+        Law::Orthotropic { bounds } => bounds,
+        _ => [0.0; 2],
+    });
+    let coefficients = figures(|law| match *law {
+        Law::Coulomb { coefficients, .. } => coefficients,
+        _ => [0.0; 2],
+    });
+    let limits = figures(|law| match *law {
+        Law::Coulomb { limit, .. } => [limit; 2],
+        _ => [f64::INFINITY; 2],
+    });
+    let mut words: Vec<String> = laws.iter().map(|law| law.name().to_owned()).collect();
+    let needs_bounds = words
+        .iter()
+        .any(|word| ["tresca", "orthotropic"].contains(&word.as_str()));
+    let needs_coefficients = words.iter().any(|word| word == "coulomb");
+    if words.iter().all(|word| *word == words[0]) {
+        words.truncate(1);
     }
+    let kernel = match &own.kernel {
+        Kernel::Find => None,
+        Kernel::Given(vectors) => {
+            let n = own.dofs();
+            let entry = |k: usize| vectors[k % vectors.len()][k / vectors.len()];
+            Some(Dense {
+                shape: vec![n, vectors.len()],
+                values: (0..n * vectors.len()).map(entry).collect(),
+            })
+        }
+    };
+    let conditions = &own.conditions;
+    Ok(Content {
+        stiffness: own.stiffness.iter().map(sparse).collect(),
+        kernel,
+        normal: sparse(&own.normal),
+        tangential: own.tangential.as_ref().map(sparse),
+        load: conditions.load.clone(),
+        gap: conditions.gap.clone(),
+        law: Some(words),
+        bounds: if needs_bounds {
+            Some(bounds)
+        } else {
+            used(bounds, 0.0)
+        },
+        coefficients: if needs_coefficients {
+            Some(coefficients)
+        } else {
+            None
+        },
+        limits: used(limits, f64::INFINITY),
+        previous_slip: conditions.previous_slip.clone(),
+        start_normal: conditions.start.as_ref().map(|start| start.normal.clone()),
+        start_tangential: conditions
+            .start
+            .as_ref()
+            .map(|start| start.tangential.clone()),
+        points: own.points.as_ref().map(|points| Dense {
+            shape: vec![points.len(), 3],
+            values: points.as_flattened().to_vec(),
+        }),
+        info: Vec::new(),
+    })
 }
 
 fn sparse(matrix: &Matrix) -> Sparse {
@@ -396,7 +394,7 @@ impl Assembly {
     /// # Errors
     /// [`ExportError::Write`]; what was there before is then still there.
     pub fn write(&self, to: &Path) -> Result<(), ExportError> {
-        let mut content = self.problem.to_content()?;
+        let mut content = to_content(&self.problem)?;
         if to.extension().is_some_and(|extension| extension == "npz") {
             let place = |values: Vec<f64>, width: usize| Dense {
                 shape: vec![values.len() / width, width],
@@ -444,37 +442,35 @@ fn folder_of(file: &Path) -> &Path {
     }
 }
 
-impl Solution {
-    /// Writes `solution.npz`, `history.csv` and `summary.json` into a folder: all of them, or none.
-    ///
-    /// # Errors
-    /// When a file cannot be written, or a result is not a finite number.
-    pub fn write(&self, title: &str, to: Destination) -> Result<Summary, WriteError> {
-        let mut files = OutputSet::new(to.into_directory())?;
-        files.stage("solution.npz", |out| {
-            let mut archive = Archive::in_memory();
-            let mut vector =
-                |name: &str, values: &[f64]| archive.numbers(name, &[values.len()], values);
-            if !self.displacement.is_empty() {
-                vector("u", &self.displacement)?;
-            }
-            vector("normal_force", &self.normal_force)?;
-            vector("tangential_force", &self.tangential_force)?;
-            vector("gap", &self.gap)?;
-            vector("slip", &self.slip)?;
-            if let Some(motion) = &self.unresisted_motion {
-                vector("unresisted_motion", motion)?;
-            }
-            archive.flags("closed", &self.closed)?;
-            archive.flags("stick", &self.stick)?;
-            archive.finish_to(out)
-        })?;
-        files.stage("history.csv", |out| {
-            history_table([(1, &self.records[..])])?.write(out)
-        })?;
-        let result = Summary::new(title, self);
-        files.stage("summary.json", |out| summary::write(out, &result))?;
-        files.commit()?;
-        Ok(result)
-    }
+/// Writes `solution.npz`, `history.csv` and `summary.json` into a folder: all of them, or none.
+///
+/// # Errors
+/// When a file cannot be written, or a result is not a finite number.
+pub fn write(solution: &Solution, title: &str, to: Destination) -> Result<Summary, WriteError> {
+    let mut files = OutputSet::new(to.into_directory())?;
+    files.stage("solution.npz", |out| {
+        let mut archive = Archive::in_memory();
+        let mut vector =
+            |name: &str, values: &[f64]| archive.numbers(name, &[values.len()], values);
+        if !solution.displacement.is_empty() {
+            vector("u", &solution.displacement)?;
+        }
+        vector("normal_force", &solution.normal_force)?;
+        vector("tangential_force", &solution.tangential_force)?;
+        vector("gap", &solution.gap)?;
+        vector("slip", &solution.slip)?;
+        if let Some(motion) = &solution.unresisted_motion {
+            vector("unresisted_motion", motion)?;
+        }
+        archive.flags("closed", &solution.closed)?;
+        archive.flags("stick", &solution.stick)?;
+        archive.finish_to(out)
+    })?;
+    files.stage("history.csv", |out| {
+        history_table([(1, &solution.records[..])])?.write(out)
+    })?;
+    let result = Summary::new(title, solution);
+    files.stage("summary.json", |out| summary::write(out, &result))?;
+    files.commit()?;
+    Ok(result)
 }

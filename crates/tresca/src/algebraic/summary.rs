@@ -5,7 +5,8 @@ use tresca_qcqp::{Settings, Status};
 
 use super::{Note, Solution};
 use crate::certificate::Certificate;
-use crate::dual::{EngineChoice, FactorWork};
+use tresca_system::description::FactorWork;
+use tresca_system::engine::EngineChoice;
 
 /// The outcome in figures, in the caller's units.
 #[derive(Debug, Clone, Serialize)]
@@ -137,7 +138,7 @@ impl Summary {
                 stick,
                 slip: pairs - stick,
                 normal_force_sum: solution.normal_force.iter().sum(),
-                max_slip_component: crate::measures::largest(&solution.slip),
+                max_slip_component: solution.slip.iter().fold(0.0, |a: f64, x| a.max(x.abs())),
                 max_gap: solution.gap.iter().copied().fold(0.0, f64::max),
             },
             certificate: solution.certificate.clone(),

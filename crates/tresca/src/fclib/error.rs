@@ -3,6 +3,8 @@
 use tresca_io::fclib::Defect;
 use tresca_la::{FactorError, OrderingError};
 use tresca_qcqp::QcqpError;
+use tresca_system::matrices::AlgebraicError;
+use tresca_system::progress::Stopped;
 
 /// Why a problem was not solved, or not exported.
 #[derive(Debug, thiserror::Error)]
@@ -50,7 +52,23 @@ pub enum ProblemError {
     /// The solver refused.
     #[error(transparent)]
     Dual(#[from] QcqpError),
+    /// The dual form was refused.
+    #[error(transparent)]
+    Algebraic(AlgebraicError),
+    /// The caller stopped the run before its first iteration.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// A dual problem that FCLIB has no words for.
     #[error("FCLIB cannot express {0}")]
     Inexpressible(&'static str),
+}
+
+impl From<AlgebraicError> for ProblemError {
+    fn from(error: AlgebraicError) -> Self {
+        match error {
+            AlgebraicError::Stopped(stopped) => ProblemError::Stopped(stopped),
+            AlgebraicError::Dual(error) => ProblemError::Dual(error),
+            error => ProblemError::Algebraic(error),
+        }
+    }
 }

@@ -6,8 +6,8 @@ use tresca_qcqp::{CoulombBound, DualProblem};
 
 use super::ProblemError;
 use super::reduced::place;
-use crate::model::Model;
-use crate::{FrictionLaw, Outcome, Prepared, VERSION};
+use crate::solve::PreparedModel;
+use crate::{FrictionLaw, Outcome, VERSION};
 
 /// The dual problem of the load step solved last as a document of FCLIB, with its solution where that
 /// converged: r are contact forces, u relative displacements (gaps and negative slips).
@@ -16,11 +16,10 @@ use crate::{FrictionLaw, Outcome, Prepared, VERSION};
 /// [`ProblemError::Inexpressible`] for laws other than isotropic Coulomb friction without a limit and
 /// no friction, and for floating bodies.
 pub fn document(
-    model: &Model,
-    prepared: &mut Prepared,
+    prepared: &mut PreparedModel<'_>,
     outcome: &Outcome,
 ) -> Result<Document, ProblemError> {
-    for contact in model.contacts() {
+    for contact in prepared.model().contacts() {
         let reason = match &contact.friction {
             FrictionLaw::Frictionless => continue,
             FrictionLaw::Coulomb {
@@ -34,7 +33,7 @@ pub fn document(
         };
         return Err(ProblemError::Inexpressible(reason));
     }
-    let local = local_problem(&mut prepared.dual)?;
+    let local = local_problem(prepared.system().dual())?;
     let solution = &outcome.last().solution;
     let in_file_order = |values: &[f64]| {
         let mut ordered = vec![0.0; values.len()];
@@ -50,7 +49,7 @@ pub fn document(
     });
     Ok(Document {
         info: Info {
-            title: Some(model.title().to_owned()),
+            title: Some(prepared.model().title().to_owned()),
             description: Some(format!(
                 "linear elastic bodies in contact, exported by tresca {VERSION}"
             )),

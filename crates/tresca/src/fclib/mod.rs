@@ -1,7 +1,7 @@
 //! Problems of others: FCLIB and the text files of Siconos, solved by the methods of this project.
 //!
 //! The file formats are those of [`tresca_io::fclib`]; here a problem becomes a
-//! [`DualProblem`]. In the words of the file, u = W r + q with r the contact
+//! [`Dual`]. In the words of the file, u = W r + q with r the contact
 //! forces; in ours, r(λ) = Aλ − b. So A is W and b is −q, up to the order: contact by contact in the
 //! file, all normals before all tangents in λ. Friction opposes sliding in both, and u_T = −c r_T with
 //! c ≥ 0 where a contact slips.
@@ -10,7 +10,7 @@
 //! [`Law::Tresca`] the bound is the same given force at all contacts.
 //!
 //! ```
-//! use tresca::{Settings, fclib};
+//! use tresca::{Settings, Silent, fclib};
 //! use fclib::{Law, LocalProblem, Matrix, Problem};
 //!
 //! // A block pressed down with 1 and pulled aside with 2: W = I, u without forces is q.
@@ -21,7 +21,7 @@
 //!     q: vec![-1.0, 2.0, 0.0],
 //!     friction: vec![0.5],
 //! });
-//! let outcome = fclib::solve(&problem, Law::Coulomb, &Settings::default(), &mut fclib::Silent)?;
+//! let outcome = fclib::solve(&problem, Law::Coulomb, &Settings::default(), &mut Silent)?;
 //! assert!(outcome.solution.status.is_converged());
 //! // It slides: friction reaches μ r_N = 0.5, and 1.5 of the velocity is left.
 //! for (found, expected) in outcome.forces.iter().zip([1.0, -0.5, 0.0]) {
@@ -39,9 +39,9 @@ mod residual;
 
 use std::time::Instant;
 
-use tresca_qcqp::{CoulombBound, DualProblem, Observer, ProductSet, Settings, Solution};
-
-pub use tresca_qcqp::Silent;
+use tresca_qcqp::Settings;
+use tresca_system::matrices::{self, Dual, Operator, Solution};
+use tresca_system::progress::Progress;
 
 pub use error::ProblemError;
 pub use export::{document, local_problem};
@@ -72,7 +72,8 @@ pub enum Law {
 pub struct Outcome {
     /// The law it was solved with.
     pub law: Law,
-    /// How the method ended, and what it did; its vectors are in the solver's own order.
+    /// How the method ended and what it did, with the certificate of the dual form; its vectors are in the
+    /// order of [`Dual`]. `times.assembly` is the reduction to the contacts and a look at W.
     pub solution: Solution,
     /// r.
     pub forces: Vec<f64>,
@@ -84,23 +85,20 @@ pub struct Outcome {
     pub residuals: Residuals,
     /// What W is like.
     pub matrix: MatrixFacts,
-    /// Seconds to reduce the problem to its contacts and to look at W.
-    pub preparation: f64,
-    /// Seconds of the solve.
-    pub solve: f64,
 }
 
 /// Solves a problem.
 ///
 /// # Errors
 /// When the parts of the problem do not fit together, W or M is not symmetric, M is not positive
-/// definite, there are more contacts than a dense W allows, or a setting or the slip bound is out of range. How the solve ended is no error:
-/// see [`Outcome::solution`].
+/// definite, there are more contacts than a dense W allows, a setting or the slip bound is out of range, or
+/// `progress` stops the run before its first iteration. How the solve ended is no error: see
+/// [`Outcome::solution`].
 pub fn solve(
     problem: &Problem,
     law: Law,
     settings: &Settings,
-    observer: &mut dyn Observer,
+    progress: &mut dyn Progress,
 ) -> Result<Outcome, ProblemError> {
     if let Law::Tresca { bound } = law
         && !(bound >= 0.0 && bound.is_finite())
@@ -109,16 +107,32 @@ pub fn solve(
     }
     let begin = Instant::now();
     let reduced = Reduced::new(problem)?;
-    let mut dual = dual_problem(problem, &reduced, law)?;
+    let laws: Vec<matrices::Law> = problem
+        .friction()
+        .iter()
+        .map(|&coefficient| match law {
+            Law::Coulomb => matrices::Law::coulomb(coefficient),
+            Law::Tresca { bound } => matrices::Law::tresca(bound),
+        })
+        .collect();
+    let dual = Dual::new(
+        Operator::dense(problem.unknowns(), &reduced.w)?,
+        reduced.q.iter().map(|q| -q).collect(),
+        problem.dimension() - 1,
+        laws,
+    );
     let preparation = begin.elapsed().as_secs_f64();
+    let mut solution = matrices::solve_dual(dual, settings, progress)?;
+    solution.times.assembly += preparation;
 
-    let begin = Instant::now();
-    let solution = tresca_qcqp::solve(&mut dual, settings, None, observer)?;
-    let seconds = begin.elapsed().as_secs_f64();
-
-    let mut forces = vec![0.0; solution.lambda.len()];
-    for (i, &force) in solution.lambda.iter().enumerate() {
-        forces[place(problem.dimension(), problem.contacts(), i)] = force;
+    let place = |i| place(problem.dimension(), problem.contacts(), i);
+    let mut forces = vec![0.0; problem.unknowns()];
+    let found = solution
+        .normal_force
+        .iter()
+        .chain(&solution.tangential_force);
+    for (i, &force) in found.enumerate() {
+        forces[place(i)] = force;
     }
     let (velocities, global_velocities) = reduced.velocities(problem, &forces);
     Ok(Outcome {
@@ -129,42 +143,5 @@ pub fn solve(
         forces,
         velocities,
         global_velocities,
-        preparation,
-        solve: seconds,
     })
-}
-
-fn dual_problem(
-    problem: &Problem,
-    reduced: &Reduced,
-    law: Law,
-) -> Result<DualProblem<'static>, ProblemError> {
-    let contacts = problem.contacts();
-    let bound = match law {
-        Law::Coulomb => 0.0,
-        Law::Tresca { bound } => bound,
-    };
-    let bounds = vec![bound; contacts];
-    let set = match problem.dimension() {
-        2 => ProductSet::contact_2d(&bounds),
-        _ => ProductSet::contact_3d(&bounds),
-    }?;
-    let place = |i| place(problem.dimension(), contacts, i);
-    let rhs = (0..problem.unknowns()).map(|i| -reduced.q[place(i)]);
-    let dual = DualProblem::new(reduced.operator(problem), rhs.collect(), set)?;
-    let coulomb = match law {
-        Law::Tresca { .. } => Vec::new(),
-        Law::Coulomb => problem
-            .friction()
-            .iter()
-            .enumerate()
-            .map(|(contact, &coefficient)| CoulombBound {
-                block: contacts + contact,
-                normal: contact,
-                coefficient,
-                limit: f64::INFINITY,
-            })
-            .collect(),
-    };
-    Ok(dual.with_coulomb(coulomb)?)
 }

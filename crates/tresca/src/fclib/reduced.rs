@@ -1,28 +1,27 @@
 //! A problem reduced to its contacts.
 
 use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use faer::{MatRef, Side};
 use serde::Serialize;
 use tresca_io::fclib::{Matrix, Problem};
-use tresca_la::{Ordering, PackedLower, Parallelism, SparseCholesky, SymmetricMatrix};
-use tresca_qcqp::operator::Dense;
+use tresca_la::{Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 
 use super::ProblemError;
 
 /// Asymmetry up to which a matrix is taken for a symmetric one with rounding errors. Files of
 /// Siconos printed with six digits, and of solvers that build W by blocks, reach 1e-5.
 const ASYMMETRY: f64 = 1e-3;
-/// Largest order of W: 20 000 unknowns take 3.2 GB, and half of that again for the operator.
+/// Largest order of W: 20 000 unknowns take 3.2 GB.
 const LARGEST: usize = 20_000;
 /// Largest order whose eigenvalues are computed, which takes some seconds there.
 const LARGEST_SPECTRUM: usize = 2000;
 /// Eigenvalues below this times the order times the largest one count as zero.
 const ZERO: f64 = 1e-12;
 
-/// W and q of a problem of either form, in the order of the file, and M factored.
+/// W and q of a problem of either form, in the solver's order (all normals before all tangents), and M factored.
 pub(super) struct Reduced {
-    /// ½(W + Wᵀ), full.
-    pub w: Mat<f64>,
+    /// ½(W + Wᵀ), full, row by row.
+    pub w: Vec<f64>,
     /// q.
     pub q: Vec<f64>,
     pub facts: MatrixFacts,
@@ -65,6 +64,15 @@ pub(super) fn place(dimension: usize, contacts: usize, i: usize) -> usize {
     }
 }
 
+/// Where the unknowns of the file stand in λ = \[normals; tangents\].
+fn inverse_places(problem: &Problem) -> Vec<usize> {
+    let mut own = vec![0; problem.unknowns()];
+    for i in 0..own.len() {
+        own[place(problem.dimension(), problem.contacts(), i)] = i;
+    }
+    own
+}
+
 impl Reduced {
     pub fn new(problem: &Problem) -> Result<Self, ProblemError> {
         let check = problem.check();
@@ -76,26 +84,36 @@ impl Reduced {
                 allowed: LARGEST,
             });
         }
-        let (mut w, q, mass) = match problem {
-            Problem::Local(local) => (dense(&local.w), local.q.clone(), None),
+        let own = inverse_places(problem);
+        let mut w = vec![0.0; unknowns * unknowns];
+        let mut q = vec![0.0; unknowns];
+        let mut mass = None;
+        match problem {
+            Problem::Local(local) => {
+                for &(row, column, value) in local.w.entries() {
+                    w[unknowns * own[row] + own[column]] = value;
+                }
+                own.iter().zip(&local.q).for_each(|(&i, &own)| q[i] = own);
+            }
             Problem::Global(global) => {
-                let mass = factor(&global.m)?;
-                let (mut w, mut q) = (Mat::zeros(unknowns, unknowns), global.w.clone());
+                let factor = factor(&global.m)?;
                 for (column, image) in columns(&global.h).into_iter().enumerate() {
                     let mut image = image;
-                    mass.solve_in_place(&mut image);
+                    factor.solve_in_place(&mut image);
                     for (row, value) in global.h.transposed_times(&image).into_iter().enumerate() {
-                        w[(row, column)] = value;
+                        w[unknowns * own[row] + own[column]] = value;
                     }
                 }
                 let mut without = global.f.clone();
-                mass.solve_in_place(&mut without);
+                factor.solve_in_place(&mut without);
                 let velocity = global.h.transposed_times(&without);
-                q.iter_mut().zip(velocity).for_each(|(q, u)| *q += u);
-                (w, q, Some(mass))
+                for (&i, (u, shift)) in own.iter().zip(velocity.iter().zip(&global.w)) {
+                    q[i] = u + shift;
+                }
+                mass = Some(factor);
             }
-        };
-        let asymmetry = symmetrise(&mut w);
+        }
+        let asymmetry = symmetrise(&mut w, unknowns);
         if asymmetry > ASYMMETRY {
             return Err(ProblemError::Asymmetric {
                 name: "W",
@@ -105,19 +123,6 @@ impl Reduced {
         }
         let facts = facts(problem, &w, asymmetry);
         Ok(Self { w, q, facts, mass })
-    }
-
-    /// W in the solver's order.
-    pub fn operator(&self, problem: &Problem) -> Dense {
-        let order = self.q.len();
-        let place = |i| place(problem.dimension(), problem.contacts(), i);
-        let mut packed = PackedLower::zeros(order);
-        for j in 0..order {
-            for i in j..order {
-                packed.set(i, j, self.w[(place(i), place(j))]);
-            }
-        }
-        Dense::new(packed)
     }
 
     /// u and v from r, by the matrices of the file.
@@ -137,10 +142,13 @@ impl Reduced {
     }
 }
 
-fn facts(problem: &Problem, w: &Mat<f64>, asymmetry: f64) -> MatrixFacts {
+fn facts(problem: &Problem, w: &[f64], asymmetry: f64) -> MatrixFacts {
     let unknowns = problem.unknowns();
     let eigenvalues = (0 < unknowns && unknowns <= LARGEST_SPECTRUM)
-        .then(|| w.self_adjoint_eigenvalues(Side::Lower).ok())
+        .then(|| {
+            let w = MatRef::from_row_major_slice(w, unknowns, unknowns);
+            w.self_adjoint_eigenvalues(Side::Lower).ok()
+        })
         .flatten();
     let largest = eigenvalues
         .as_ref()
@@ -162,14 +170,6 @@ fn facts(problem: &Problem, w: &Mat<f64>, asymmetry: f64) -> MatrixFacts {
     }
 }
 
-fn dense(matrix: &Matrix) -> Mat<f64> {
-    let mut full = Mat::zeros(matrix.rows(), matrix.columns());
-    for &(row, column, value) in matrix.entries() {
-        full[(row, column)] = value;
-    }
-    full
-}
-
 fn columns(matrix: &Matrix) -> Vec<Vec<f64>> {
     let mut columns = vec![vec![0.0; matrix.rows()]; matrix.columns()];
     for &(row, column, value) in matrix.entries() {
@@ -178,18 +178,18 @@ fn columns(matrix: &Matrix) -> Vec<Vec<f64>> {
     columns
 }
 
-/// A ← ½(A + Aᵀ); returns max |A − Aᵀ| / (2 max |A|), 0 for A = 0.
-fn symmetrise(a: &mut Mat<f64>) -> f64 {
+/// A ← ½(A + Aᵀ), row by row; returns max |A − Aᵀ| / (2 max |A|), 0 for A = 0.
+fn symmetrise(a: &mut [f64], order: usize) -> f64 {
     let (mut largest, mut difference) = (0.0_f64, 0.0_f64);
-    for j in 0..a.ncols() {
-        largest = largest.max(a[(j, j)].abs());
-        for i in j + 1..a.nrows() {
-            let (below, above) = (a[(i, j)], a[(j, i)]);
+    for j in 0..order {
+        largest = largest.max(a[order * j + j].abs());
+        for i in j + 1..order {
+            let (below, above) = (a[order * i + j], a[order * j + i]);
             largest = largest.max(below.abs()).max(above.abs());
             difference = difference.max((below - above).abs());
             let mean = 0.5 * (below + above);
-            a[(i, j)] = mean;
-            a[(j, i)] = mean;
+            a[order * i + j] = mean;
+            a[order * j + i] = mean;
         }
     }
     if largest > 0.0 {

@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 use tresca_io::fclib::Problem;
-use tresca_la::vector::norm;
+use tresca_la::vector::{dot, norm};
 
 use super::Law;
-use super::reduced::Reduced;
+use super::reduced::{Reduced, place};
 
 /// Residuals of the natural map r − P_K(r − ρ û), K the product of the friction cones and
 /// û = u + μ‖u_T‖ n (De Saxcé); with Tresca's law K is the product of half-lines and discs and û = u.
@@ -30,19 +30,23 @@ impl Residuals {
         velocities: &[f64],
     ) -> Self {
         let order = forces.len();
-        let stiffest = (0..order).map(|i| reduced.w[(i, i)]).fold(0.0, f64::max);
+        let stiffest = (0..order).map(|i| reduced.w[(order + 1) * i]);
+        let stiffest = stiffest.fold(0.0, f64::max);
         let rho = if stiffest > 0.0 { 1.0 / stiffest } else { 1.0 };
         let load = norm(&reduced.q);
         let reference = norm(forces).max(rho * load);
         let relative = |value: f64, to: f64| if to > 0.0 { value / to } else { value };
-        let symmetric: Vec<f64> = (0..order)
-            .map(|i| {
-                (0..order)
-                    .map(|j| reduced.w[(i, j)] * forces[j])
-                    .sum::<f64>()
-                    + reduced.q[i]
-            })
-            .collect();
+        let place = |i| place(problem.dimension(), problem.contacts(), i);
+        let own: Vec<f64> = (0..order).map(|i| forces[place(i)]).collect();
+        let mut symmetric = vec![0.0; order];
+        for (i, (row, q)) in reduced
+            .w
+            .chunks_exact(order.max(1))
+            .zip(&reduced.q)
+            .enumerate()
+        {
+            symmetric[place(i)] = dot(row, &own) + q;
+        }
         let map = |velocities: &[f64], rho| natural_map(problem, law, forces, velocities, rho);
         Self {
             siconos: relative(map(velocities, 1.0), load),

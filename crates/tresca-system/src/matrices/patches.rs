@@ -2,8 +2,8 @@
 
 use tresca_qcqp::operator::groups;
 
-use super::Matrix;
-use crate::dual::PAIRS_PER_PATCH;
+use super::matrix::Matrix;
+use crate::engine::PAIRS_PER_PATCH;
 
 /// The unknowns in patches, for the local model of A: by the points of the pairs where these are known, by
 /// the graph of K else.

@@ -3,7 +3,9 @@
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use tresca_la::SymmetricMatrix;
 
-use super::{AlgebraicError, Matrix, Note};
+use super::error::AlgebraicError;
+use super::matrix::Matrix;
+use super::note::Note;
 
 /// Relative asymmetry up to which K is symmetrised: rounding, or an assembly in another order.
 const ALLOWED_ASYMMETRY: f64 = 1e-8;

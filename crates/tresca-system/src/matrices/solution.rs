@@ -1,9 +1,13 @@
 //! What a solve of an algebraic problem gives back.
 
-use tresca_qcqp::{IterationRecord, Settings, Status};
+use tresca_qcqp::{IterationRecord, Settings, StateCounts, Status};
 
-use super::Note;
-use crate::{Certificate, Description, Times};
+use super::note::Note;
+use crate::certificate::Certificate;
+use crate::description::{Description, Times};
+use crate::layout::Layout;
+use crate::load_case::WarmStart;
+use crate::solved::Solved;
 
 /// Contact forces, as a start for a solve.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,6 +18,17 @@ pub struct Forces {
     pub tangential: Vec<f64>,
     /// Amounts of the kernel vectors, as in [`Solution::kernel_amounts`]; empty stands for 0.
     pub kernel_amounts: Vec<f64>,
+}
+
+impl Forces {
+    /// The start in the solver's unknowns.
+    pub(super) fn warm(&self, layout: &Layout) -> WarmStart {
+        WarmStart {
+            mu: layout.unknowns_of(&[&self.normal[..], &self.tangential].concat()),
+            multiplier: self.kernel_amounts.clone(),
+            slidings: None,
+        }
+    }
 }
 
 /// The outcome of a solve, everything in the caller's order and signs.
@@ -64,6 +79,8 @@ pub struct Solution {
     pub n_a_setup: usize,
     /// Estimate of the largest eigenvalue of A in the solver's unknowns.
     pub sigma_max: f64,
+    /// How many blocks of unknowns are open, closed, sticking, slipping.
+    pub states: StateCounts,
     /// α: how much of each kernel vector there is in u beyond K⁺(f − Bᵀλ); a start for the next step.
     pub kernel_amounts: Vec<f64>,
     /// With [`Status::NoEquilibrium`]: a motion of the parts that float which nothing resists enough, over
@@ -80,6 +97,39 @@ pub struct Solution {
 }
 
 impl Solution {
+    /// What does not depend on the caller's numbering; no displacement, no notes.
+    pub(super) fn new(solved: Solved, settings: &Settings, times: Times) -> Self {
+        Self {
+            displacement: Vec::new(),
+            unresisted_motion: None,
+            notes: Vec::new(),
+            description: None,
+            normal_force: solved.normal_forces().to_vec(),
+            tangential_force: solved.tangential_forces().to_vec(),
+            slip: solved.slip().to_vec(),
+            closed: solved.closed,
+            stick: solved.stick,
+            gap: solved.gaps,
+            slip_bounds: solved.slip_bounds,
+            certificate: solved.certificate,
+            status: solved.dual.status,
+            relative_reduced_gradient: solved.dual.relative_reduced_gradient,
+            dual_objective: solved.dual.objective,
+            equality_residual: solved.dual.equality_residual,
+            outer_iterations: solved.dual.outer_iterations,
+            outer_residual: solved.dual.outer_residual,
+            iterations: solved.dual.iterations,
+            n_a: solved.dual.n_a,
+            n_a_setup: solved.dual.n_a_setup,
+            sigma_max: solved.dual.sigma_max,
+            states: solved.dual.active_set.counts(),
+            records: solved.dual.records,
+            kernel_amounts: solved.dual.multiplier,
+            settings: settings.clone(),
+            times,
+        }
+    }
+
     /// The forces, as a start for another solve.
     pub fn forces(&self) -> Forces {
         Forces {

@@ -3,7 +3,7 @@
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use tresca_la::{Ordering, SymmetricMatrix};
 
-use super::Matrix;
+use super::matrix::Matrix;
 
 /// Squared distance of a row of unit length from the span of the others below which it is in it.
 const DEPENDENT: f64 = 1e-12;

@@ -2,7 +2,10 @@
 
 use tresca_contact::Mobility;
 
-use super::{AlgebraicError, Law, Matrix, Note, Row};
+use super::error::AlgebraicError;
+use super::friction::Law;
+use super::matrix::Matrix;
+use super::note::{Note, Row};
 use crate::layout::Layout;
 
 /// Checks a vector.

@@ -3,12 +3,12 @@
 use tresca_contact::{ContactPair, Opening, Sliding};
 use tresca_la::SymmetricMatrix;
 
-use super::{Law, Matrix, Problem};
+use tresca_model::{Model, Step};
+use tresca_system::matrices::{Law, Matrix, Problem};
+
 use crate::assemble::assemble;
-use crate::dual::full_displacements;
+use crate::error::SolveError;
 use crate::load_step::acting;
-use crate::model::Step;
-use crate::{Model, SolveError};
 
 /// The assembled problem of a model, and what its numbers belong to.
 #[derive(Debug, Clone)]
@@ -30,11 +30,11 @@ impl Assembly {
     /// # Errors
     /// When the model is wrong.
     pub fn new(model: &Model, step: &Step) -> Result<Self, SolveError> {
-        let assembled = assemble(model)?;
-        let acting = acting(model, &assembled, step)?;
+        let (assembled, bodies) = assemble(model)?;
+        let nothing = vec![0.0; assembled.layout.unknowns()];
+        let case = acting(model, &assembled, step, &nothing)?.case;
         let m = assembled.pair_count();
-        let stiffness: Vec<_> = assembled
-            .bodies
+        let stiffness: Vec<_> = bodies
             .iter()
             .map(|body| both_triangles(&body.stiffness))
             .collect();
@@ -54,27 +54,21 @@ impl Assembly {
                 }
             }
         }
-        let free: Vec<Vec<f64>> = assembled
-            .bodies
-            .iter()
-            .map(|body| vec![0.0; body.dofs.free_len()])
-            .collect();
-        let held = full_displacements(&assembled, &free, &acting.prescribed);
-        let moved = acting.relative(&assembled, &held);
+        let moved = &case.base;
         let gaps = assembled
             .pairs()
-            .zip(&moved)
+            .zip(moved)
             .map(|(pair, moved)| pair.gap - moved);
         let openings = model.contacts().iter().zip(&assembled.contacts);
         let openings = openings.flat_map(|(contact, data)| {
             std::iter::repeat_n(contact.friction.opening(), data.pairs.len())
         });
         let laws: Vec<Law> = openings
-            .zip(&acting.slidings)
+            .zip(&case.slidings)
             .map(|(opening, sliding)| law(opening, sliding))
             .collect();
         let b = b.matrix(assembled.layout.unknowns(), dofs.len());
-        let mut problem = Problem::new(stiffness, b.rows_between(0, m), acting.free_loads.concat())
+        let mut problem = Problem::new(stiffness, b.rows_between(0, m), case.loads.concat())
             .with_tangential(b.rows_between(m, b.rows()))
             .with_gap(gaps.collect())
             .with_friction(laws);

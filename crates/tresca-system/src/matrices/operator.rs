@@ -4,7 +4,8 @@ use tresca_la::{SquareMatrix, SymmetricEntries};
 use tresca_qcqp::operator::LocalModel;
 use tresca_qcqp::{DualOperator, Tally};
 
-use super::{AlgebraicError, check};
+use super::check;
+use super::error::AlgebraicError;
 use crate::layout::Layout;
 
 /// Relative asymmetry up to which the lower triangle of A stands for both.

@@ -2,6 +2,9 @@
 
 use tresca_qcqp::QcqpError;
 
+use crate::progress::Stopped;
+use crate::run::Unsolved;
+
 /// Arrays that are no matrix.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -51,7 +54,7 @@ pub enum MatrixError {
 }
 
 /// Why an algebraic problem cannot be solved. How a solve *ended* is no error but a
-/// [`Status`](crate::Status).
+/// [`Status`](tresca_qcqp::Status).
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AlgebraicError {
@@ -245,4 +248,16 @@ pub enum AlgebraicError {
     /// The dual problem was refused.
     #[error(transparent)]
     Dual(#[from] QcqpError),
+    /// The caller stopped the run before its first iteration.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}
+
+impl From<Unsolved> for AlgebraicError {
+    fn from(error: Unsolved) -> Self {
+        match error {
+            Unsolved::Stopped(stopped) => AlgebraicError::Stopped(stopped),
+            Unsolved::Refused(error) => AlgebraicError::Dual(error),
+        }
+    }
 }

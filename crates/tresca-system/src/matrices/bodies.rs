@@ -4,67 +4,53 @@ use std::time::Instant;
 
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
-use tresca_fem::rigid::Grounding;
 use tresca_la::{Parallelism, SparseCholesky, SymmetricMatrix};
 use tresca_qcqp::operator::Coupling;
 
+use super::error::AlgebraicError;
 use super::grounding::{FloatingPart, ground};
 use super::kernel::{self, KernelFailure};
+use super::matrix::Matrix;
+use super::note::Note;
 use super::parts::Stiffness;
-use super::{AlgebraicError, Kernel, Matrix, Note};
-use crate::dual::Factored;
-use crate::elastic::{ElasticBody, FactorFailure, share_of_threads};
+use super::problem::Kernel;
+use crate::body::{Body, FactorFailure, Factors, share_of_threads};
 
 /// Parts up to this size are lumped into one body, and their kernels found by dense eigenvalues: supported
 /// dofs that were left in K are parts of size 1, and there may be thousands.
 const SMALL: usize = 200;
 
-/// Parts of K that are factored together.
-pub(super) struct Body {
-    /// Its dofs in the caller's numbering, ascending.
-    pub dofs: Vec<usize>,
-    stiffness: SymmetricMatrix,
-    grounding: Option<Grounding>,
-    trailing: Vec<usize>,
-    coupling: Coupling,
+/// Parts of K that are factored together, and their factors.
+pub(super) struct Bodies {
+    /// Where the dofs of each body stand in the caller's numbering, ascending.
+    pub dofs: BodyDofs,
+    pub bodies: Vec<Body>,
+    pub factors: Factors,
 }
 
-impl Body {
-    /// The body as the dual problem sees it.
-    pub fn elastic(&self) -> ElasticBody<'_> {
-        ElasticBody {
-            stiffness: &self.stiffness,
-            grounding: self.grounding.as_ref(),
-            trailing: &self.trailing,
-            coupling: &self.coupling,
-        }
+/// The dofs of each body in the caller's numbering, ascending.
+pub(super) struct BodyDofs(Vec<Vec<usize>>);
+
+impl BodyDofs {
+    /// n.
+    pub fn count(&self) -> usize {
+        self.0.iter().map(Vec::len).sum()
     }
 
-    /// Number of its motions that contact has to hold.
-    pub fn motions(&self) -> usize {
-        self.grounding
-            .as_ref()
-            .map_or(0, |grounding| grounding.r.len())
-    }
-
-    /// A vector over the caller's dofs on this body's.
-    pub fn restrict(&self, values: &[f64]) -> Vec<f64> {
-        self.dofs.iter().map(|&dof| values[dof]).collect()
+    /// A vector over the caller's dofs, body by body.
+    pub fn split(&self, values: &[f64]) -> Vec<Vec<f64>> {
+        let own = |dofs: &Vec<usize>| dofs.iter().map(|&dof| values[dof]).collect();
+        self.0.iter().map(own).collect()
     }
 
     /// The other way round.
-    pub fn write(&self, own: &[f64], values: &mut [f64]) {
-        self.dofs
-            .iter()
-            .zip(own)
-            .for_each(|(&dof, &value)| values[dof] = value);
+    pub fn join(&self, parts: &[Vec<f64>]) -> Vec<f64> {
+        let mut all = vec![0.0; self.count()];
+        for (&dof, &value) in self.0.iter().flatten().zip(parts.iter().flatten()) {
+            all[dof] = value;
+        }
+        all
     }
-}
-
-/// The bodies with their factors.
-pub(super) struct Bodies {
-    pub bodies: Vec<Body>,
-    pub factored: Factored,
 }
 
 /// The dofs of a part that floats, numbered in its body, and its kernel (scaled, see `kernel`).
@@ -107,15 +93,17 @@ pub(super) fn factor(
         .into_par_iter()
         .map(|draft| draft.factor(kernel, contact_last, parallelism))
         .collect::<Result<Vec<_>, _>>()?;
-    let (mut bodies, mut factors) = (Vec::new(), Vec::new());
-    for (body, factor, found) in done {
+    let (mut dofs, mut bodies, mut factors) = (Vec::new(), Vec::new(), Vec::new());
+    for (own, body, factor, found) in done {
         notes.extend(found);
+        dofs.push(own);
         bodies.push(body);
         factors.push(factor);
     }
     Ok(Bodies {
+        dofs: BodyDofs(dofs),
         bodies,
-        factored: Factored::new(factors, begin.elapsed().as_secs_f64()),
+        factors: Factors::of(factors, begin.elapsed().as_secs_f64()),
     })
 }
 
@@ -203,7 +191,7 @@ impl<'a> Draft<'a> {
         kernel: &Kernel,
         contact_last: bool,
         parallelism: Parallelism,
-    ) -> Result<(Body, SparseCholesky, Vec<Note>), AlgebraicError> {
+    ) -> Result<(Vec<usize>, Body, SparseCholesky, Vec<Note>), AlgebraicError> {
         let given = matches!(kernel, Kernel::Given(_));
         let first = self.first();
         let large = self.is_large();
@@ -219,17 +207,14 @@ impl<'a> Draft<'a> {
         } else {
             self.notes(&kernels)
         };
-        let body = self.grounded(&kernels)?;
-        let attempt = body.elastic().factor(contact_last, parallelism);
+        let (dofs, body) = self.grounded(&kernels)?;
+        let attempt = body.factor(contact_last, parallelism);
         let regular = |factor: &SparseCholesky| {
             // Of small parts it is known by their eigenvalues.
-            !(large || given) || {
-                let stiffness = body.elastic();
-                !kernel::is_singular(&stiffness.regular_stiffness(), factor)
-            }
+            !(large || given) || !kernel::is_singular(&body.regular_stiffness(), factor)
         };
         match attempt {
-            Ok(factor) if regular(&factor) => return Ok((body, factor, notes)),
+            Ok(factor) if regular(&factor) => return Ok((dofs, body, factor, notes)),
             Err(FactorFailure::Ordering(source)) => {
                 return Err(AlgebraicError::Ordering { dof: first, source });
             }
@@ -247,7 +232,7 @@ impl<'a> Draft<'a> {
         let part = Draft {
             parts: Vec::new(),
             touched: body.coupling.touched(),
-            dofs: body.dofs,
+            dofs,
             stiffness: body.stiffness,
             coupling: body.coupling,
         };
@@ -259,12 +244,12 @@ impl<'a> Draft<'a> {
                 reason: "no Cholesky factor, and no kernel that could be the reason,",
             });
         }
-        let dofs: Vec<usize> = (0..part.dofs.len()).collect();
-        let kernels = vec![(dofs, found)];
+        let all: Vec<usize> = (0..part.dofs.len()).collect();
+        let kernels = vec![(all, found)];
         notes = part.notes(&kernels);
-        let body = part.grounded(&kernels)?;
-        match body.elastic().factor(contact_last, parallelism) {
-            Ok(factor) => Ok((body, factor, notes)),
+        let (dofs, body) = part.grounded(&kernels)?;
+        match body.factor(contact_last, parallelism) {
+            Ok(factor) => Ok((dofs, body, factor, notes)),
             Err(FactorFailure::Ordering(source)) => {
                 Err(AlgebraicError::Ordering { dof: first, source })
             }
@@ -348,8 +333,8 @@ impl<'a> Draft<'a> {
         kernels.iter().map(note).collect()
     }
 
-    /// The body with its floating parts grounded.
-    fn grounded(self, kernels: &[PartKernel]) -> Result<Body, AlgebraicError> {
+    /// Its dofs, and the body with its floating parts grounded.
+    fn grounded(self, kernels: &[PartKernel]) -> Result<(Vec<usize>, Body), AlgebraicError> {
         let scales = kernel::scales(&self.stiffness);
         let mut floating = Vec::new();
         for (local, kernel) in kernels {
@@ -375,19 +360,8 @@ impl<'a> Draft<'a> {
             });
         }
         let grounding = (!floating.is_empty()).then(|| ground(&floating, self.dofs.len()));
-        let mut trailing = self.touched;
-        if let Some(grounding) = &grounding {
-            trailing.extend_from_slice(&grounding.dofs);
-            trailing.sort_unstable();
-            trailing.dedup();
-        }
-        Ok(Body {
-            dofs: self.dofs,
-            stiffness: self.stiffness,
-            grounding,
-            trailing,
-            coupling: self.coupling,
-        })
+        let body = Body::new(self.stiffness, grounding, self.coupling);
+        Ok((self.dofs, body))
     }
 }
 

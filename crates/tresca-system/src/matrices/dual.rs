@@ -2,16 +2,23 @@
 
 use std::time::Instant;
 
-use tresca_contact::Mobility;
+use tresca_contact::{Mobility, Sliding};
 use tresca_la::vector::{dot, norm};
 use tresca_qcqp::{DualProblem, Settings, Start};
 
+use super::check;
+use super::error::AlgebraicError;
+use super::friction::{Friction, Law};
+use super::note::Note;
 use super::operator::{Function, Matrix, Operator, Scaling};
-use super::{AlgebraicError, Forces, Friction, Law, Note, Solution, check};
+use super::solution::{Forces, Solution};
+use crate::description::Times;
 use crate::layout::Layout;
-use crate::measures::{Elastic, Interface, Pairs, certificate, largest, scale};
-use crate::progress::{Progress, Stage};
-use crate::{Certificate, Times};
+use crate::load_case;
+use crate::measures::{Elastic, largest, scale};
+use crate::progress::{Progress, Stage, begin};
+use crate::run;
+use crate::solved::{Measured, Solved};
 
 /// min ½ λᵀAλ − λᵀb over the admissible λ = \[λν (m); λτ ((d−1)m, components of a pair adjacent)\].
 ///
@@ -65,8 +72,8 @@ pub fn solve_dual(
     progress: &mut dyn Progress,
 ) -> Result<Solution, AlgebraicError> {
     settings.validate()?;
-    let begin = Instant::now();
-    let mut stopped = progress.stage(Stage::Assembly).is_break();
+    begin(progress, Stage::Assembly)?;
+    let clock = Instant::now();
     let Dual {
         operator,
         rhs,
@@ -98,29 +105,27 @@ pub fn solve_dual(
     {
         notes.push(Note::DualSymmetrised { asymmetry });
     }
-    let mut set = layout.set(&slidings)?;
     let coulomb = layout.coulomb(&slidings);
-    let mut lambda = None;
-    if let Some(start) = &start {
-        check::vector(
-            "the start of the normal forces",
-            &start.normal,
-            m,
-            "one per contact pair",
-        )?;
-        let tangential = &start.tangential;
-        check::vector(
-            "the start of the tangential forces",
-            tangential,
-            tangents * m,
-            "tangents",
-        )?;
-        for bound in &coulomb {
-            let guess = (bound.coefficient * start.normal[bound.normal].max(0.0)).min(bound.limit);
-            set.set_bound(bound.block, guess)?;
+    let warm = match &start {
+        None => None,
+        Some(start) => {
+            check::vector(
+                "the start of the normal forces",
+                &start.normal,
+                m,
+                "one per contact pair",
+            )?;
+            let tangential = &start.tangential;
+            check::vector(
+                "the start of the tangential forces",
+                tangential,
+                tangents * m,
+                "tangents",
+            )?;
+            Some(start.warm(&layout).mu)
         }
-        lambda = Some(layout.unknowns_of(&[&start.normal[..], &start.tangential].concat()));
-    }
+    };
+    let set = load_case::set(&layout, &slidings, &coulomb, warm.as_deref())?;
     let weighted_rhs = layout.dual(&rhs);
     let scaling = Scaling::new(&layout);
     let mut problem = match operator {
@@ -138,65 +143,36 @@ pub fn solve_dual(
         }
     }
     .with_coulomb(coulomb)?;
-    let assembly = begin.elapsed().as_secs_f64();
-
-    stopped |= progress.stage(Stage::Solve).is_break();
-    let begin = Instant::now();
-    let mut observer = |record: &tresca_qcqp::IterationRecord| {
-        let flow = progress.iteration(record);
-        if std::mem::take(&mut stopped) {
-            std::ops::ControlFlow::Break(())
-        } else {
-            flow
-        }
+    let mut times = Times {
+        assembly: clock.elapsed().as_secs_f64(),
+        ..Times::default()
     };
-    let start = lambda.as_deref().map(Start::from);
-    let solution = tresca_qcqp::solve(&mut problem, settings, start, &mut observer)?;
-    let solve = begin.elapsed().as_secs_f64();
-    let multiplications = solution.seconds_in_products;
-
-    let _ = progress.stage(Stage::Recovery);
-    let begin = Instant::now();
-    let mut outcome = recover(&mut problem, &layout, &slidings, &rhs, solution);
-    outcome.notes = notes;
-    outcome.settings = settings.clone();
-    outcome.times = Times {
-        assembly,
-        contact: 0.0,
-        factorization: 0.0,
-        solve,
-        multiplications,
-        recovery: begin.elapsed().as_secs_f64(),
-    };
-    Ok(outcome)
+    let start = warm.as_deref().map(Start::from);
+    let solution = run::solve(&mut problem, start, settings, &mut times, progress)?;
+    let clock = Instant::now();
+    let solved = recover(&mut problem, &layout, &slidings, &rhs, solution);
+    times.recovery += clock.elapsed().as_secs_f64();
+    Ok(Solution {
+        notes,
+        ..Solution::new(solved, settings, times)
+    })
 }
 
 fn recover(
-    problem: &mut DualProblem,
+    problem: &mut DualProblem<'_>,
     layout: &Layout,
-    slidings: &[tresca_contact::Sliding],
+    slidings: &[Sliding],
     rhs: &[f64],
     solution: tresca_qcqp::Solution,
-) -> Solution {
-    let m = layout.pair_count();
+) -> Solved {
     let mu = &solution.lambda;
     let mut product = vec![0.0; mu.len()];
     problem.operator_mut().multiply(mu, &mut product);
-    // r = Aλ − b, its first part the gap left, its second part the negative slip.
+    // B u = b − Aλ: less the gap left, and the slip.
     let weights = layout.weights();
-    let r: Vec<f64> = (0..mu.len())
-        .map(|i| product[i] / weights[i] - rhs[i])
+    let relative: Vec<f64> = (0..mu.len())
+        .map(|i| rhs[i] - product[i] / weights[i])
         .collect();
-    let lambda = layout.forces(mu);
-    let relative: Vec<f64> = r.iter().map(|r| -r).collect();
-    let interface = Interface::new(&Pairs {
-        layout,
-        gaps: &vec![0.0; m],
-        slidings,
-        lambda: &lambda,
-        relative: &relative,
-        previous: &vec![0.0; r.len()],
-    });
     let own = problem.rhs();
     let inconsistency: Vec<f64> = (0..mu.len())
         .map(|i| product[i] - own[i] - solution.gradient[i])
@@ -210,40 +186,15 @@ fn recover(
         load_work: 0.0,
         energy: scale(energy),
     };
-    let certificate = Certificate {
-        duality_gap: interface.duality_gap() / elastic.energy,
-        ..certificate(&elastic, &interface, largest(&r).max(largest(rhs)), 0.0)
+    let nothing = vec![0.0; mu.len()];
+    let gaps = &nothing[..layout.pair_count()];
+    let measured = Measured {
+        displacements: Vec::new(),
+        length: largest(&relative).max(largest(rhs)),
+        relative,
+        elastic,
+        dual_energy: None,
+        unresisted: None,
     };
-    let states: Vec<_> = (0..m)
-        .map(|i| layout.state(&solution.active_set, i))
-        .collect();
-    let bounds = slidings.iter().zip(&lambda);
-    Solution {
-        status: solution.status,
-        displacement: Vec::new(),
-        normal_force: lambda[..m].to_vec(),
-        tangential_force: lambda[m..].to_vec(),
-        closed: states.iter().map(|state| state.0).collect(),
-        stick: states.iter().map(|state| state.1).collect(),
-        gap: r[..m].to_vec(),
-        slip: relative[m..].to_vec(),
-        slip_bounds: bounds.map(|(law, &normal)| law.bounds(normal)).collect(),
-        certificate,
-        relative_reduced_gradient: solution.relative_reduced_gradient,
-        dual_objective: solution.objective,
-        equality_residual: solution.equality_residual,
-        outer_iterations: solution.outer_iterations,
-        outer_residual: solution.outer_residual,
-        iterations: solution.iterations,
-        records: solution.records,
-        n_a: solution.n_a,
-        n_a_setup: solution.n_a_setup,
-        sigma_max: solution.sigma_max,
-        kernel_amounts: Vec::new(),
-        unresisted_motion: None,
-        notes: Vec::new(),
-        description: None,
-        settings: Settings::default(),
-        times: Times::default(),
-    }
+    Solved::new(layout, gaps, slidings, &nothing, solution, measured)
 }

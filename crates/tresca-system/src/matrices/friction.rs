@@ -2,7 +2,7 @@
 
 use tresca_contact::{Opening, Sliding};
 
-use super::AlgebraicError;
+use super::error::AlgebraicError;
 
 /// What resists sliding, and opening, of a contact pair. The two figures of a law belong to the two rows
 /// of T, in the plane the first to the one there is.

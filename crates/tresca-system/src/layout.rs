@@ -38,7 +38,7 @@ pub struct Layout {
 impl Layout {
     /// The layout for pairs in `dimension` dimensions (1: there are no tangents), each with how it opens,
     /// moves and slides.
-    pub(crate) fn new(
+    pub fn new(
         dimension: usize,
         pairs: impl Iterator<Item = (Opening, Mobility, Sliding)>,
     ) -> Self {
@@ -111,7 +111,7 @@ impl Layout {
     }
 
     /// μ of λ = diag(w) μ.
-    pub(crate) fn unknowns_of(&self, forces: &[f64]) -> Vec<f64> {
+    pub fn unknowns_of(&self, forces: &[f64]) -> Vec<f64> {
         self.weighted(forces, |x, w| x / w)
     }
 
@@ -138,8 +138,19 @@ impl Layout {
     }
 
     /// Whether a pair can move along its normal at all.
-    pub(crate) fn moves_normally(&self, pair: usize) -> bool {
+    pub fn moves_normally(&self, pair: usize) -> bool {
         self.pairs[pair].mobility.normal
+    }
+
+    /// The unknowns along which supports let a pair not move: no force acts there.
+    pub(crate) fn immobile(&self) -> impl Iterator<Item = usize> {
+        let m = self.pairs.len();
+        self.pairs.iter().enumerate().flat_map(move |(i, pair)| {
+            let normal = (!pair.mobility.normal).then_some(i);
+            let held = (0..self.tangents).filter(|&t| !pair.mobility.tangents[t]);
+            let tangents = held.map(move |t| m + self.tangents * i + t);
+            normal.into_iter().chain(tangents)
+        })
     }
 
     /// Whether the law keeps a pair from opening.
@@ -149,10 +160,7 @@ impl Layout {
 
     /// The tangential unknowns (numbers in λ) that incremental friction speaks of: not those that are
     /// glued.
-    pub(crate) fn frictional<'a>(
-        &'a self,
-        slidings: &'a [Sliding],
-    ) -> impl Iterator<Item = usize> + 'a {
+    pub fn frictional<'a>(&'a self, slidings: &'a [Sliding]) -> impl Iterator<Item = usize> + 'a {
         let m = self.pairs.len();
         let bounded = (0..m).filter(|&i| slidings[i] != Sliding::Never);
         bounded.flat_map(move |i| (0..self.tangents).map(move |t| m + self.tangents * i + t))
@@ -162,7 +170,7 @@ impl Layout {
     ///
     /// # Errors
     /// When a bound is no number ≥ 0.
-    pub(crate) fn set(&self, slidings: &[Sliding]) -> Result<ProductSet, QcqpError> {
+    pub fn set(&self, slidings: &[Sliding]) -> Result<ProductSet, QcqpError> {
         let m = self.pairs.len();
         let normals = self.pairs.iter().enumerate().map(|(start, pair)| Block {
             start,
@@ -203,7 +211,7 @@ impl Layout {
     }
 
     /// The blocks whose bound follows the normal force.
-    pub(crate) fn coulomb(&self, slidings: &[Sliding]) -> Vec<CoulombBound> {
+    pub fn coulomb(&self, slidings: &[Sliding]) -> Vec<CoulombBound> {
         let mut bounds = Vec::new();
         for (normal, (pair, sliding)) in self.pairs.iter().zip(slidings).enumerate() {
             let Sliding::Coulomb {
@@ -246,7 +254,7 @@ impl Layout {
     }
 
     /// Whether a pair carries a normal force, and whether it sticks, by the states of its blocks.
-    pub(crate) fn state(&self, active: &ActiveSet, pair: usize) -> (bool, bool) {
+    pub fn state(&self, active: &ActiveSet, pair: usize) -> (bool, bool) {
         let states = active.states();
         let own = &self.pairs[pair];
         let stick = match own.shape {

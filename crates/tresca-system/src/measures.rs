@@ -3,13 +3,12 @@
 use tresca_contact::Sliding;
 use tresca_la::vector::{dot, norm};
 
-use crate::Certificate;
 use crate::ellipse::Ellipse;
 use crate::layout::Layout;
 
 /// A body that has moved without strain has forces and an energy all the same, from rounding in Ku. What
 /// is below these parts of diag(K)u, and of uᵀdiag(K)u, is no figure to compare with.
-pub(crate) const ROUNDING_OF_FORCES: f64 = 1e-6;
+pub const ROUNDING_OF_FORCES: f64 = 1e-6;
 const ROUNDING_OF_ENERGY: f64 = 1e-10;
 
 /// What the bodies say: energies and the residual of equilibrium.
@@ -25,7 +24,7 @@ pub(crate) struct Elastic {
     pub energy: f64,
 }
 
-/// The same while bodies are added.
+/// The same of one body.
 #[derive(Default)]
 pub(crate) struct ElasticSums {
     residual: f64,
@@ -38,7 +37,7 @@ pub(crate) struct ElasticSums {
 }
 
 impl ElasticSums {
-    /// A body: u, f, the contact forces −Bᵀλ on it, Ku and diag(K), over the free dofs.
+    /// Adds u, f, the contact forces −Bᵀλ on it, Ku and diag(K), over the free dofs.
     pub fn add(
         &mut self,
         u: &[f64],
@@ -60,18 +59,28 @@ impl ElasticSums {
     }
 
     /// The figures of all bodies.
-    pub fn total(&self) -> Elastic {
-        let [load, contact, internal, rigid] = self.squares.map(f64::sqrt);
+    pub fn total(bodies: &[Self]) -> Elastic {
+        let mut sum = Self::default();
+        for body in bodies {
+            sum.residual += body.residual;
+            sum.strain_work += body.strain_work;
+            sum.load_work += body.load_work;
+            sum.rigid_work += body.rigid_work;
+            for (square, own) in sum.squares.iter_mut().zip(body.squares) {
+                *square += own;
+            }
+        }
+        let [load, contact, internal, rigid] = sum.squares.map(f64::sqrt);
         let forces = load
             .max(contact)
             .max(internal)
             .max(ROUNDING_OF_FORCES * rigid);
-        let rounding = ROUNDING_OF_ENERGY * self.rigid_work;
+        let rounding = ROUNDING_OF_ENERGY * sum.rigid_work;
         Elastic {
-            residual: self.residual.sqrt() / scale(forces),
-            strain_work: self.strain_work,
-            load_work: self.load_work,
-            energy: scale(f64::max(0.5 * self.strain_work, 0.5 * rounding)),
+            residual: sum.residual.sqrt() / scale(forces),
+            strain_work: sum.strain_work,
+            load_work: sum.load_work,
+            energy: scale(f64::max(0.5 * sum.strain_work, 0.5 * rounding)),
         }
     }
 }
@@ -84,28 +93,26 @@ pub(crate) struct Pairs<'a> {
     /// The law of every pair.
     pub slidings: &'a [Sliding],
     /// λ = \[λν; λτ\], the contact forces.
-    pub lambda: &'a [f64],
-    /// B u.
+    pub forces: &'a [f64],
+    /// B u, the slip since where it is counted from.
     pub relative: &'a [f64],
-    /// B u of the step before.
-    pub previous: &'a [f64],
 }
 
 /// What the pairs say.
 #[derive(Default, Debug)]
 pub(crate) struct Interface {
-    penetration: f64,
-    adhesion: f64,
-    complementarity: f64,
-    cone: f64,
-    slip_law: f64,
-    negative_work: f64,
-    friction_work: f64,
+    pub penetration: f64,
+    pub adhesion: f64,
+    pub complementarity: f64,
+    pub cone: f64,
+    pub slip_law: f64,
+    pub negative_work: f64,
+    pub friction_work: f64,
     /// Σ λν (Nu − d) + Σ λτ·s, signed.
     contact_work: f64,
-    largest_bound: f64,
-    largest_normal: f64,
-    largest_force: f64,
+    pub largest_bound: f64,
+    pub largest_normal: f64,
+    pub largest_force: f64,
 }
 
 impl Interface {
@@ -114,9 +121,8 @@ impl Interface {
             layout,
             gaps,
             slidings,
-            lambda,
+            forces: lambda,
             relative,
-            previous,
         } = *pairs;
         let mut sum = Self {
             largest_normal: largest(&lambda[..gaps.len()]),
@@ -136,14 +142,10 @@ impl Interface {
                 sum.adhesion = sum.adhesion.max(-lambda[i]);
             }
             let force = layout.tangential(lambda, i);
-            let (now, before) = (
-                layout.tangential(relative, i),
-                layout.tangential(previous, i),
-            );
-            let slip = [now[0] - before[0], now[1] - before[1]];
+            let slip = layout.tangential(relative, i);
             let Some(bounds) = slidings[i].bounds(lambda[i]) else {
-                sum.penetration = sum.penetration.max(norm(&now));
-                sum.contact_work += dot(&force, &now);
+                sum.penetration = sum.penetration.max(norm(&slip));
+                sum.contact_work += dot(&force, &slip);
                 continue;
             };
             sum.contact_work += dot(&force, &slip);
@@ -165,45 +167,12 @@ impl Interface {
     }
 }
 
-/// The certificate without the balance of bodies. `length` is the largest displacement or gap, `dual` the
-/// dual energy.
-pub(crate) fn certificate(
-    elastic: &Elastic,
-    interface: &Interface,
-    length: f64,
-    dual: f64,
-) -> Certificate {
-    let Elastic {
-        residual,
-        strain_work,
-        load_work,
-        energy,
-    } = *elastic;
-    let cone_scale = if interface.largest_bound > 0.0 {
-        interface.largest_bound
-    } else {
-        interface.largest_force
-    };
-    let primal = 0.5 * strain_work - load_work + interface.friction_work;
-    Certificate {
-        equilibrium: residual,
-        penetration: interface.penetration / scale(length),
-        normal_force_sign: interface.adhesion / scale(interface.largest_normal),
-        complementarity: interface.complementarity / energy,
-        cone_violation: interface.cone / scale(cone_scale),
-        slip_law: interface.slip_law / energy,
-        negative_dissipation: interface.negative_work / energy,
-        duality_gap: (primal - dual) / energy,
-        bodies: Vec::new(),
-    }
-}
-
 /// The largest absolute value.
 pub(crate) fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |a: f64, x| a.max(x.abs()))
 }
 
 /// A scale that a figure may be divided by: 1 for a problem in which nothing happens.
-pub(crate) fn scale(value: f64) -> f64 {
+pub fn scale(value: f64) -> f64 {
     if value > 0.0 { value } else { 1.0 }
 }

@@ -1,6 +1,6 @@
 //! Sparse matrices as they are handed in: by rows, by columns, as triplets, dense.
 
-use super::MatrixError;
+use super::error::MatrixError;
 
 /// An integer that may count rows, columns or entries in the arrays of others.
 pub trait Index: Copy {

@@ -1,0 +1,204 @@
+//! What of a body the dual problem needs: K, its grounding, B. The same for bodies that were meshed here
+//! and for matrices that were brought along.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use tresca_fem::rigid::Grounding;
+use tresca_la::vector::{axpy, dot};
+use tresca_la::{
+    FactorError, Ordering, OrderingError, Parallelism, SparseCholesky, SymmetricMatrix,
+};
+use tresca_qcqp::operator::Coupling;
+
+use crate::description::FactorWork;
+
+/// A body over its free dofs.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// K, singular when the body floats.
+    pub stiffness: SymmetricMatrix,
+    /// C, R and S of a body that floats.
+    pub grounding: Option<Grounding>,
+    /// B over all unknowns of λ, weighted for the solver's unknowns (see [`Layout`](crate::layout::Layout)).
+    pub coupling: Coupling,
+    /// The dofs that come last in the factorisation, ascending: those that B or C touches.
+    trailing: Vec<usize>,
+}
+
+/// Why a body has no factor.
+#[derive(Debug)]
+pub enum FactorFailure {
+    /// It could not be ordered.
+    Ordering(OrderingError),
+    /// It could not be factored.
+    Factor(FactorError),
+}
+
+impl Body {
+    /// A body; `grounding` if it floats.
+    pub fn new(
+        stiffness: SymmetricMatrix,
+        grounding: Option<Grounding>,
+        coupling: Coupling,
+    ) -> Self {
+        let mut trailing = coupling.touched();
+        if let Some(grounding) = &grounding {
+            trailing.extend_from_slice(&grounding.dofs);
+            trailing.sort_unstable();
+            trailing.dedup();
+        }
+        Self {
+            stiffness,
+            grounding,
+            coupling,
+            trailing,
+        }
+    }
+
+    /// Number of free dofs.
+    pub fn dofs(&self) -> usize {
+        self.stiffness.order()
+    }
+
+    /// The dofs that come last in the factorisation, ascending: those that contact or the grounding touches.
+    pub fn trailing(&self) -> &[usize] {
+        &self.trailing
+    }
+
+    /// The rigid motions that contact has to hold.
+    pub fn motions(&self) -> &[Vec<f64>] {
+        self.grounding
+            .as_ref()
+            .map_or(&[], |grounding| &grounding.r)
+    }
+
+    /// K, or K + CCᵀ of a body that floats.
+    pub fn regular_stiffness(&self) -> Cow<'_, SymmetricMatrix> {
+        match &self.grounding {
+            None => Cow::Borrowed(&self.stiffness),
+            Some(grounding) => Cow::Owned(grounding.add_to(&self.stiffness)),
+        }
+    }
+
+    /// Orders and factors; `contact_last` puts the dofs that contact touches last.
+    ///
+    /// # Errors
+    /// When the matrix is not positive definite.
+    pub fn factor(
+        &self,
+        contact_last: bool,
+        parallelism: Parallelism,
+    ) -> Result<SparseCholesky, FactorFailure> {
+        let stiffness = self.regular_stiffness();
+        let ordering = if contact_last {
+            Ordering::nested_dissection_with_trailing(&stiffness, &self.trailing)
+        } else {
+            Ordering::nested_dissection(&stiffness)
+        };
+        let ordering = ordering.map_err(FactorFailure::Ordering)?;
+        SparseCholesky::factor(&stiffness, ordering, parallelism).map_err(FactorFailure::Factor)
+    }
+}
+
+/// The threads for each of some bodies that are worked on side by side: they share them, and a body that
+/// gets none of its own runs on one.
+pub(crate) fn share_of_threads(bodies: usize) -> Parallelism {
+    Parallelism::Threads((rayon::current_num_threads() / bodies.max(1)).max(1))
+}
+
+/// The factors of some bodies.
+pub struct Factors {
+    /// One per body, `Arc` because the factored engine multiplies with it, too.
+    pub bodies: Vec<Arc<SparseCholesky>>,
+    /// Sizes and speed.
+    pub work: FactorWork,
+}
+
+impl Factors {
+    /// Orders and factors all bodies (floating ones grounded), side by side.
+    ///
+    /// `contact_last` orders the contact dofs last, which the condensed and the explicit engine need;
+    /// without it the ordering is plain nested dissection.
+    ///
+    /// # Errors
+    /// When a stiffness matrix is not positive definite, with the number of the body.
+    pub fn new(bodies: &[Body], contact_last: bool) -> Result<Self, (usize, FactorFailure)> {
+        let start = Instant::now();
+        let parallelism = share_of_threads(bodies.len());
+        let factors = bodies
+            .par_iter()
+            .enumerate()
+            .map(|(index, body)| {
+                body.factor(contact_last, parallelism)
+                    .map_err(|failure| (index, failure))
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Self::of(factors, start.elapsed().as_secs_f64()))
+    }
+
+    /// Factors that are there, with the seconds that they took.
+    pub(crate) fn of(factors: Vec<SparseCholesky>, seconds: f64) -> Self {
+        let work = FactorWork {
+            nonzeros: factors
+                .iter()
+                .map(|factor| factor.factor_nonzeros() as f64)
+                .sum(),
+            flops: factors.iter().map(SparseCholesky::flops).sum(),
+            seconds,
+        };
+        Self {
+            bodies: factors.into_iter().map(Arc::new).collect(),
+            work,
+        }
+    }
+
+    /// K⁺(f − Bᵀλ) of each body, λ in the solver's unknowns μ.
+    pub(crate) fn displacements(
+        &self,
+        bodies: &[Body],
+        loads: &[Vec<f64>],
+        mu: &[f64],
+    ) -> Vec<Vec<f64>> {
+        let minus: Vec<f64> = mu.iter().map(|x| -x).collect();
+        bodies
+            .par_iter()
+            .zip(&self.bodies)
+            .zip(loads)
+            .map(|((body, factor), load)| {
+                let mut u = load.clone();
+                body.coupling.add_transposed_product(&minus, &mut u);
+                factor.solve_in_place(&mut u);
+                u
+            })
+            .collect()
+    }
+}
+
+/// Zero displacements.
+pub(crate) fn at_rest(bodies: &[Body]) -> Vec<Vec<f64>> {
+    bodies.iter().map(|body| vec![0.0; body.dofs()]).collect()
+}
+
+/// e = Rᵀf of all floating bodies.
+pub(crate) fn load_on_motions(bodies: &[Body], loads: &[Vec<f64>]) -> Vec<f64> {
+    bodies
+        .iter()
+        .zip(loads)
+        .flat_map(|(body, f)| body.motions().iter().map(move |r| dot(r, f)))
+        .collect()
+}
+
+/// Adds R α to displacements; `alpha` holds the motions of all bodies in order.
+pub(crate) fn add_motions(bodies: &[Body], alpha: &[f64], displacements: &mut [Vec<f64>]) {
+    let mut alpha = alpha.iter();
+    for (body, u) in bodies.iter().zip(displacements) {
+        for r in body.motions() {
+            if let Some(&amount) = alpha.next() {
+                axpy(amount, r, u);
+            }
+        }
+    }
+}

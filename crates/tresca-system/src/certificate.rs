@@ -1,0 +1,120 @@
+//! The certificate: is this a solution? Computed from u and λ alone, afterwards, with the
+//! assembled K and the element forces, by a way that knows nothing of the solver's residuals.
+//!
+//! Every figure is dimensionless, and zero for an exact solution.
+
+use serde::Serialize;
+
+use crate::measures::{Elastic, Interface};
+
+pub use crate::measures::{ROUNDING_OF_FORCES, scale};
+
+/// How far a pair (u, λ) is from solving the contact problem (docs/theory.md, "The contact problem").
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Certificate {
+    /// ‖Ku + Bᵀλ − f‖ over the largest of ‖f‖, ‖Bᵀλ‖ and ‖Ku‖, over the free dofs of all bodies.
+    pub equilibrium: f64,
+    /// Largest penetration max(Nu − d, 0), over the largest displacement component or gap. Of pairs that
+    /// never open, |Nu − d|; of glued ones, also |Tu|.
+    pub penetration: f64,
+    /// Largest adhesive normal force max(−λν, 0) of pairs that may open, over the largest normal force.
+    pub normal_force_sign: f64,
+    /// Σ |λν,i (Nu − d)_i| over the elastic energy ½uᵀKu.
+    pub complementarity: f64,
+    /// Largest excess of a friction force over its slip bound (with Coulomb's law, over F λν), over the
+    /// largest slip bound.
+    pub cone_violation: f64,
+    /// Σ |h_i(s_i) − λτ,i·s_i| over the elastic energy, s the slip of the step and h the work that
+    /// friction at its bound dissipates along it, g‖s‖ for isotropic friction: zero exactly when every pair
+    /// that slips does so at its bound in the direction that its law asks for.
+    pub slip_law: f64,
+    /// Σ max(−λτ,i·s_i, 0) over the elastic energy: friction only ever takes work out.
+    pub negative_dissipation: f64,
+    /// (primal energy − dual energy) over the elastic energy, with the primal energy
+    /// ½uᵀKu − fᵀu + Σ h_i(s_i) and the dual energy −q(λ) − ½fᵀK⁺f. With Coulomb's law that of the
+    /// problem whose bounds are F λν.
+    pub duality_gap: f64,
+    /// Force and moment balance body by body.
+    pub bodies: Vec<BodyBalance>,
+}
+
+/// Loads, contact forces and support reactions of one body must cancel. The reactions
+/// come from the stresses of the elements at the supports.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BodyBalance {
+    /// Name of the body.
+    pub name: String,
+    /// ‖Σ forces‖ over the sum of their magnitudes.
+    pub force: f64,
+    /// ‖Σ moments‖ about the body's centre, over that sum times the body's diameter.
+    pub moment: f64,
+    /// Resultant of the loads.
+    pub load: [f64; 3],
+    /// Resultant of the contact forces.
+    pub contact: [f64; 3],
+    /// Resultant of the support reactions.
+    pub reaction: [f64; 3],
+}
+
+impl Certificate {
+    /// The certificate without the balance of bodies. `length` is the largest displacement or gap. Without a dual
+    /// energy equilibrium holds by construction, and the gap follows from the pairs alone.
+    pub(crate) fn new(
+        elastic: &Elastic,
+        interface: &Interface,
+        length: f64,
+        dual_energy: Option<f64>,
+    ) -> Self {
+        let Elastic {
+            residual,
+            strain_work,
+            load_work,
+            energy,
+        } = *elastic;
+        let cone_scale = if interface.largest_bound > 0.0 {
+            interface.largest_bound
+        } else {
+            interface.largest_force
+        };
+        let primal = 0.5 * strain_work - load_work + interface.friction_work;
+        Certificate {
+            equilibrium: residual,
+            penetration: interface.penetration / scale(length),
+            normal_force_sign: interface.adhesion / scale(interface.largest_normal),
+            complementarity: interface.complementarity / energy,
+            cone_violation: interface.cone / scale(cone_scale),
+            slip_law: interface.slip_law / energy,
+            negative_dissipation: interface.negative_work / energy,
+            duality_gap: dual_energy.map_or_else(|| interface.duality_gap(), |dual| primal - dual)
+                / energy,
+            bodies: Vec::new(),
+        }
+    }
+
+    /// The worst of all figures.
+    pub fn worst(&self) -> f64 {
+        let balances = self
+            .bodies
+            .iter()
+            .flat_map(|body| [body.force, body.moment]);
+        self.items()
+            .into_iter()
+            .map(|(_, value)| value.abs())
+            .chain(balances)
+            .fold(0.0, f64::max)
+    }
+
+    /// The figures that concern the whole model, with their names.
+    pub fn items(&self) -> [(&'static str, f64); 8] {
+        [
+            ("equilibrium", self.equilibrium),
+            ("penetration", self.penetration),
+            ("normal force sign", self.normal_force_sign),
+            ("complementarity", self.complementarity),
+            ("cone violation", self.cone_violation),
+            ("slip law", self.slip_law),
+            ("negative dissipation", self.negative_dissipation),
+            ("duality gap", self.duality_gap),
+        ]
+    }
+}

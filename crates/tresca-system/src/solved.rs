@@ -1,0 +1,137 @@
+//! What a solve of a system gives back, whoever brought the matrices.
+
+use tresca_contact::Sliding;
+use tresca_qcqp::{Solution, Status};
+
+use crate::certificate::Certificate;
+use crate::layout::Layout;
+use crate::load_case::{LoadCase, WarmStart};
+use crate::measures::{Elastic, Interface, Pairs};
+
+/// Forces, displacements, states of the pairs and the certificate of a solve.
+///
+/// Look at the status of [`dual`](Solved::dual) first: the forces are always admissible, but only with
+/// [`Status::Converged`] are they a solution.
+#[derive(Debug, Clone)]
+pub struct Solved {
+    /// Status, figures, iteration records; its vectors are in the solver's unknowns μ.
+    pub dual: Solution,
+    /// u of each body over its free dofs; zero with [`Status::NoEquilibrium`], no body for a pure dual form.
+    pub displacements: Vec<Vec<f64>>,
+    /// λ = \[λν (m); λτ ((d−1) m)\], the contact forces.
+    pub forces: Vec<f64>,
+    /// B u = \[N u; T u\], approach and slip.
+    pub relative: Vec<f64>,
+    /// d − N u, length m.
+    pub gaps: Vec<f64>,
+    /// Which pairs carry a normal force. Tied and bilateral pairs always do.
+    pub closed: Vec<bool>,
+    /// Which pairs have a friction force below their bound. Pairs without tangents never do.
+    pub stick: Vec<bool>,
+    /// The two slip bounds (forces) of each pair that hold at the solution; `None` for tied pairs.
+    pub slip_bounds: Vec<Option<[f64; 2]>>,
+    /// Independent check of the result; the balances of bodies are added by those who know their geometry.
+    pub certificate: Certificate,
+    /// With [`Status::NoEquilibrium`]: a motion of the floating bodies which nothing resists enough, over their
+    /// free dofs, the largest entry 1.
+    pub unresisted: Option<Vec<Vec<f64>>>,
+    /// The laws that held.
+    slidings: Vec<Sliding>,
+}
+
+/// What of a solve is measured where displacements are known, and where only A is.
+pub(crate) struct Measured {
+    pub displacements: Vec<Vec<f64>>,
+    pub relative: Vec<f64>,
+    pub elastic: Elastic,
+    /// The largest displacement.
+    pub length: f64,
+    /// The dual energy; `None`: equilibrium holds by construction, and the gap follows from the pairs alone.
+    pub dual_energy: Option<f64>,
+    pub unresisted: Option<Vec<Vec<f64>>>,
+}
+
+impl Solved {
+    pub(crate) fn new(
+        layout: &Layout,
+        gaps: &[f64],
+        slidings: &[Sliding],
+        origin: &[f64],
+        dual: Solution,
+        measured: Measured,
+    ) -> Self {
+        let m = layout.pair_count();
+        let Measured {
+            displacements,
+            relative,
+            elastic,
+            length,
+            dual_energy,
+            unresisted,
+        } = measured;
+        let forces = layout.forces(&dual.lambda);
+        let since: Vec<f64> = relative.iter().zip(origin).map(|(r, o)| r - o).collect();
+        let interface = Interface::new(&Pairs {
+            layout,
+            gaps,
+            slidings,
+            forces: &forces,
+            relative: &since,
+        });
+        let (closed, stick) = (0..m).map(|i| layout.state(&dual.active_set, i)).unzip();
+        let bounds = slidings.iter().zip(&forces);
+        Self {
+            gaps: gaps.iter().zip(&relative).map(|(d, r)| d - r).collect(),
+            closed,
+            stick,
+            slip_bounds: bounds.map(|(law, &normal)| law.bounds(normal)).collect(),
+            certificate: Certificate::new(&elastic, &interface, length, dual_energy),
+            slidings: slidings.to_vec(),
+            dual,
+            displacements,
+            forces,
+            relative,
+            unresisted,
+        }
+    }
+
+    /// λν.
+    pub fn normal_forces(&self) -> &[f64] {
+        &self.forces[..self.gaps.len()]
+    }
+
+    /// λτ.
+    pub fn tangential_forces(&self) -> &[f64] {
+        &self.forces[self.gaps.len()..]
+    }
+
+    /// T u.
+    pub fn slip(&self) -> &[f64] {
+        &self.relative[self.gaps.len()..]
+    }
+
+    /// A start for another solve of the same system.
+    pub fn start(&self) -> WarmStart {
+        WarmStart {
+            mu: self.dual.lambda.clone(),
+            multiplier: self.dual.multiplier.clone(),
+            slidings: Some(self.slidings.clone()),
+        }
+    }
+
+    /// Whether the run ended with a proof that nothing can hold the load.
+    pub fn no_equilibrium(&self) -> bool {
+        self.dual.status == Status::NoEquilibrium
+    }
+}
+
+impl LoadCase {
+    /// The slip origin of a step: friction counts slip from where the step before ended, glue from the start.
+    pub fn origin_after(layout: &Layout, slidings: &[Sliding], relative: &[f64]) -> Vec<f64> {
+        let mut origin = vec![0.0; layout.unknowns()];
+        for i in layout.frictional(slidings) {
+            origin[i] = relative[i];
+        }
+        origin
+    }
+}
