@@ -41,7 +41,6 @@ mod error;
 pub mod fclib;
 mod floating;
 mod layout;
-pub mod linear;
 mod load_step;
 mod measures;
 pub mod memory;
@@ -53,7 +52,6 @@ mod reactions;
 mod solve;
 mod summary;
 mod surface_fields;
-pub mod two_bricks;
 
 pub use certificate::Certificate;
 pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
@@ -68,7 +66,6 @@ pub use reactions::SupportReaction;
 pub use solve::{Description, Prepared, Run, prepare, solve};
 pub use summary::Summary;
 pub use surface_fields::SurfaceFields;
-pub use two_bricks::two_bricks;
 
 pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
 pub use tresca_fem::assembly::Formulation;

@@ -1,9 +1,9 @@
 //! A case file and a model built by hand are the same thing.
 
+use tresca::Method;
 use tresca::case::Case;
 use tresca::model::LoadKind;
-use tresca::two_bricks::Units;
-use tresca::{Method, two_bricks};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 const TWO_BRICKS: &str = include_str!("../../../../cases/two-bricks.toml");
 

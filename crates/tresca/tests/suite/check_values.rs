@@ -3,10 +3,8 @@
 
 use std::ops::ControlFlow;
 
-use tresca::two_bricks::Units;
-use tresca::{
-    Engine, Method, Outcome, Prepared, Run, Settings, Silent, Summary, prepare, two_bricks,
-};
+use tresca::{Engine, Method, Outcome, Prepared, Run, Settings, Silent, Summary, prepare};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 const OBJECTIVE: f64 = -1.146_894_801_625_5e-3;
 const NORMAL_FORCE_SUM: f64 = 2.052_944_860_7;

@@ -2,11 +2,11 @@
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
-use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{
     CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef,
-    solve, two_bricks,
+    solve,
 };
+use tresca_bench::two_bricks::{Units, two_bricks, two_bricks_with};
 
 const S: usize = 9;
 

@@ -1,8 +1,8 @@
 //! Coulomb's law: both variants, their limits, their work.
 
 use super::support::{assert_close, report, settings, solved, solved_with, variant};
-use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{CoulombMethod, Engine, Field, FrictionLaw, Outcome};
+use tresca_bench::two_bricks::{Units, two_bricks_with};
 
 fn bricks(coefficient: &str) -> tresca::case::Case {
     let law = ("coefficient = 0.3", coefficient);

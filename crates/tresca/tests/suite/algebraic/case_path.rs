@@ -1,8 +1,8 @@
 //! A model solved as a case, and its matrices solved as matrices, must give the same.
 
 use tresca::algebraic::{self, Assembly};
-use tresca::two_bricks::{Units, two_bricks};
 use tresca::{Engine, Model, Run, Settings, Silent};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 use super::common::assert_close;
 

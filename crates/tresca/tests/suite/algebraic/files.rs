@@ -4,7 +4,7 @@ use std::path::Path;
 
 use tresca::algebraic::{Assembly, FileError, Matrix, Problem};
 use tresca::output::Destination;
-use tresca::two_bricks::{Units, two_bricks};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 use super::common::*;
 
