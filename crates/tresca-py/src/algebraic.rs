@@ -38,7 +38,7 @@ pub fn forces(start: Option<&StartArrays<'_>>) -> PyResult<Option<Forces>> {
 #[pyclass(frozen, module = "tresca._tresca")]
 pub struct Prepared {
     // A problem is solved by one thread at a time: what it learns about A is kept in it.
-    inner: Mutex<algebraic::Prepared>,
+    inner: Mutex<algebraic::PreparedProblem>,
 }
 
 #[pymethods]
@@ -131,7 +131,7 @@ impl Prepared {
 }
 
 impl Prepared {
-    fn lock(&self) -> PyResult<std::sync::MutexGuard<'_, algebraic::Prepared>> {
+    fn lock(&self) -> PyResult<std::sync::MutexGuard<'_, algebraic::PreparedProblem>> {
         match self.inner.try_lock() {
             Ok(guard) => Ok(guard),
             // A panic is a bug, but the problem is posed anew by every solve.

@@ -4,11 +4,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use numpy::{IntoPyArray, PyArrayMethods};
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use tresca::output::Destination;
-use tresca::{PairState, Run, StepOutcome, Summary};
+use tresca::{PairState, StepOutcome, Summary};
 
 use crate::errors::{self, OutputError};
 use crate::observer::Observer;
@@ -54,17 +53,15 @@ impl Case {
         let settings = over(self.inner.settings(), options)?;
         let model = &self.inner.model;
         let mut observer = Observer::new(callback);
-        let run = py.detach(|| tresca::solve(model, &settings, &mut observer));
+        let outcome = py.detach(|| tresca::solve_with(model, &settings, &mut observer));
+        // A signal has stopped the run, or a callback: that is what is raised.
         observer.finish()?;
-        let run = run.map_err(|error| errors::case(tresca::case::locate(&self.inner, &error)))?;
-        match run {
-            Run::Finished(outcome) => Ok(Outcome {
-                case: Arc::clone(&self.inner),
-                outcome,
-            }),
-            // Only a signal stops a run so early, and that has been raised already.
-            Run::Stopped(_) => Err(PyKeyboardInterrupt::new_err(())),
-        }
+        let outcome =
+            outcome.map_err(|error| errors::case(tresca::case::locate(&self.inner, &error)))?;
+        Ok(Outcome {
+            case: Arc::clone(&self.inner),
+            outcome,
+        })
     }
 }
 
@@ -79,7 +76,7 @@ impl Case {
 #[pyclass(frozen, module = "tresca._tresca")]
 pub struct Outcome {
     case: Arc<tresca::case::Case>,
-    outcome: Box<tresca::Outcome>,
+    outcome: tresca::Outcome,
 }
 
 #[pymethods]

@@ -99,6 +99,11 @@ impl Prepared {
         &self.bodies
     }
 
+    /// The bodies alone; factors and dual problem go.
+    pub fn into_bodies(self) -> Vec<Body> {
+        self.bodies
+    }
+
     /// Where the pairs stand.
     pub fn layout(&self) -> &Layout {
         &self.layout

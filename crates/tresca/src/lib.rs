@@ -35,7 +35,6 @@ mod check;
 mod error;
 pub mod fclib;
 mod floating;
-pub mod linear;
 mod load_step;
 pub mod memory;
 mod outcome;
@@ -45,7 +44,6 @@ mod reactions;
 mod solve;
 mod summary;
 mod surface_fields;
-pub mod two_bricks;
 
 pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
 pub use error::SolveError;
@@ -57,7 +55,6 @@ pub use reactions::SupportReaction;
 pub use solve::{PreparedModel, factor_error, prepare, solve, solve_with};
 pub use summary::Summary;
 pub use surface_fields::SurfaceFields;
-pub use two_bricks::two_bricks;
 
 pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
 pub use tresca_fem::assembly::Formulation;
@@ -67,6 +64,7 @@ pub use tresca_qcqp::{
     CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts,
     Status,
 };
+pub use tresca_system::body::Factors;
 pub use tresca_system::certificate::{self, Certificate};
 pub use tresca_system::description::{Description, FactorWork, Times};
 pub use tresca_system::engine::EngineChoice;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use tresca_qcqp::{Engine, Settings};
-use tresca_system::body::{FactorFailure, Factors};
+use tresca_system::body::{Body, FactorFailure, Factors};
 use tresca_system::description::{Description, Times};
 use tresca_system::engine::choose_engine;
 use tresca_system::load_case::WarmStart;
@@ -131,6 +131,11 @@ impl PreparedModel<'_> {
     /// Sizes and engine.
     pub fn description(&self) -> &Description {
         self.system.description()
+    }
+
+    /// The bodies as linear algebra; their factors go.
+    pub fn into_bodies(self) -> Vec<Body> {
+        self.system.into_bodies()
     }
 
     /// The factored bodies and their dual problem.

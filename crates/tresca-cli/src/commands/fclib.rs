@@ -1,13 +1,12 @@
 //! `tresca solve` of a problem of FCLIB or Siconos, and `tresca export` to one.
 
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use miette::{IntoDiagnostic, Report, miette};
 use tresca::case::Case;
-use tresca::fclib::{self, Document, Law, Summary};
+use tresca::fclib::{self, Document, Law, ProblemError, Summary};
 use tresca::output::{Destination, write_file};
-use tresca::{IterationRecord, Progress, Run, Settings, Silent, Stage, Status};
+use tresca::{Settings, Silent, Status};
 
 use super::solve::case_name;
 use crate::args::{self, ExportArguments, SolveArguments};
@@ -66,9 +65,12 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         );
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
-    let _ = monitor.stage(Stage::Solve);
-    let mut observer = |record: &IterationRecord| monitor.iteration(record);
-    let outcome = fclib::solve(problem, law, &settings, &mut observer).into_diagnostic()?;
+    let outcome = fclib::solve(problem, law, &settings, &mut monitor);
+    monitor.finish();
+    let outcome = match outcome {
+        Err(ProblemError::Stopped(stopped)) => return Ok(crate::interrupt::stopped(stopped)),
+        outcome => outcome.into_diagnostic()?,
+    };
     let summary =
         fclib::write(&directory, name, &document, &outcome, &settings).into_diagnostic()?;
     if !arguments.quiet {
@@ -151,19 +153,9 @@ pub fn export(arguments: &ExportArguments) -> miette::Result<u8> {
     let case = Case::load(&arguments.case)?;
     let settings = case.settings();
     let located = |error| Report::new(tresca::case::locate(&case, &error));
-    let model = &case.model;
-    let ControlFlow::Continue(mut prepared) =
-        tresca::prepare(model, settings, &mut Silent).map_err(located)?
-    else {
-        return Ok(crate::INTERRUPTED);
-    };
-    let Run::Finished(outcome) = prepared
-        .solve(model, settings, &mut Silent)
-        .map_err(located)?
-    else {
-        return Ok(crate::INTERRUPTED);
-    };
-    let document = fclib::document(model, &mut prepared, &outcome).into_diagnostic()?;
+    let mut prepared = tresca::prepare(&case.model, settings, &mut Silent).map_err(located)?;
+    let outcome = prepared.solve(settings, &mut Silent).map_err(located)?;
+    let document = fclib::document(&mut prepared, &outcome).into_diagnostic()?;
     write(&document, &arguments.to)?;
     println!(
         "{}: {} contacts in {} dimensions{}",

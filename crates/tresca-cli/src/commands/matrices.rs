@@ -4,7 +4,7 @@ use std::path::Path;
 
 use miette::{IntoDiagnostic, Report, miette};
 use tresca::Settings;
-use tresca::algebraic::{self, FileError, Problem};
+use tresca::algebraic::{self, AlgebraicError, FileError};
 use tresca::output::Destination;
 
 use crate::args::SolveArguments;
@@ -29,7 +29,7 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         None => Path::new("out").join(&name),
     };
     let destination = Destination::new(&directory).into_diagnostic()?;
-    let problem = Problem::read(path).map_err(|error| match error {
+    let problem = algebraic::read(path).map_err(|error| match error {
         FileError::File(error) => Report::new(error),
         error => miette!("{error}"),
     })?;
@@ -44,11 +44,13 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         );
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
-    let solution = algebraic::solve(&problem, &settings, &mut monitor)
-        .map_err(|error| miette!("`{}`: {error}", path.display()));
+    let solution = algebraic::solve(&problem, &settings, &mut monitor);
     monitor.finish();
-    let solution = solution?;
-    let summary = solution.write(&name, destination).into_diagnostic()?;
+    let solution = match solution {
+        Err(AlgebraicError::Stopped(stopped)) => return Ok(crate::interrupt::stopped(stopped)),
+        solution => solution.map_err(|error| miette!("`{}`: {error}", path.display()))?,
+    };
+    let summary = algebraic::write(&solution, &name, destination).into_diagnostic()?;
     if !arguments.quiet {
         matrices::print(&summary, &directory);
     }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use miette::{IntoDiagnostic, Report, miette};
-use tresca::Run;
+use tresca::SolveError;
 use tresca::case::Case;
 use tresca::output::Destination;
 
@@ -44,17 +44,11 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
         );
     }
     let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
-    let run = tresca::solve(&case.model, &settings, &mut monitor)
-        .map_err(|error| Report::new(tresca::case::locate(&case, &error)))?;
+    let outcome = tresca::solve_with(&case.model, &settings, &mut monitor);
     monitor.finish();
-    let outcome = match run {
-        Run::Finished(outcome) => outcome,
-        Run::Stopped(stage) => {
-            eprintln!(
-                "interrupted before the first iteration (at: {stage:?}); nothing was written"
-            );
-            return Ok(crate::INTERRUPTED);
-        }
+    let outcome = match outcome {
+        Err(SolveError::Stopped(stopped)) => return Ok(crate::interrupt::stopped(stopped)),
+        outcome => outcome.map_err(|error| Report::new(tresca::case::locate(&case, &error)))?,
     };
     let summary = destination
         .write(name, &case.model, &outcome)

@@ -4,8 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use tresca::model::Step;
-use tresca::{Description, IterationRecord, Progress, Stage};
+use tresca::{Description, IterationRecord, Progress, Stage, StepInfo};
 
 use super::format::grouped;
 use crate::interrupt::Interrupt;
@@ -130,13 +129,16 @@ impl Progress for Monitor {
         }
     }
 
-    fn step(&mut self, number: usize, count: usize, step: &Step) {
-        if !self.print {
-            return;
-        }
-        if count > 1 {
-            let name = step.name.as_deref().unwrap_or("");
-            println!("\nload step {number} of {count}, time {} {name}", step.time);
+    fn step(&mut self, step: &StepInfo<'_>) {
+        if self.print && step.count > 1 {
+            let StepInfo {
+                number,
+                count,
+                time,
+                name,
+            } = step;
+            let name = name.unwrap_or("");
+            println!("\nload step {number} of {count}, time {time} {name}");
         }
     }
 

@@ -1,9 +1,9 @@
 //! A case file and a model built by hand are the same thing.
 
+use tresca::Method;
 use tresca::case::Case;
 use tresca::model::LoadKind;
-use tresca::two_bricks::Units;
-use tresca::{Method, two_bricks};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 const TWO_BRICKS: &str = include_str!("../../../../cases/two-bricks.toml");
 
@@ -49,7 +49,7 @@ fn refused(text: &str) -> (String, (usize, usize)) {
     let error = match Case::parse("case.toml", text) {
         Err(error) => error,
         Ok(case) => {
-            let run = tresca::solve(&case.model, case.settings(), &mut tresca::Silent);
+            let run = tresca::solve_with(&case.model, case.settings(), &mut tresca::Silent);
             tresca::case::locate(&case, &run.err().expect("this case is wrong"))
         }
     };

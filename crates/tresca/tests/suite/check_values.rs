@@ -1,34 +1,27 @@
 //! The two bricks at s = 16 against an independent implementation (double precision, solved to 1e-13);
 //! the values stand in the problem's specification, not in any output of this project.
 
-use std::ops::ControlFlow;
-
-use tresca::two_bricks::Units;
-use tresca::{
-    Engine, Method, Outcome, Prepared, Run, Settings, Silent, Summary, prepare, two_bricks,
-};
+use tresca::{Engine, Method, Model, Outcome, PreparedModel, Settings, Silent, Summary, prepare};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 const OBJECTIVE: f64 = -1.146_894_801_625_5e-3;
 const NORMAL_FORCE_SUM: f64 = 2.052_944_860_7;
 const LARGEST_SLIP: f64 = 1.985_77e-5;
 
-fn prepared(engine: Engine) -> (tresca::Model, Prepared) {
-    let model = two_bricks(16, Units::METRE_MEGAPASCAL).unwrap();
+fn model() -> Model {
+    two_bricks(16, Units::METRE_MEGAPASCAL).unwrap()
+}
+
+fn prepared(model: &Model, engine: Engine) -> PreparedModel<'_> {
     let settings = Settings {
         engine,
         ..Settings::default()
     };
-    match prepare(&model, &settings, &mut Silent).unwrap() {
-        ControlFlow::Continue(prepared) => (model, prepared),
-        ControlFlow::Break(_) => unreachable!("nobody stops this run"),
-    }
+    prepare(model, &settings, &mut Silent).unwrap()
 }
 
-fn outcome(model: &tresca::Model, prepared: &mut Prepared, settings: &Settings) -> Outcome {
-    match prepared.solve(model, settings, &mut Silent).unwrap() {
-        Run::Finished(outcome) => *outcome,
-        Run::Stopped(_) => unreachable!("nobody stops this run"),
-    }
+fn outcome(prepared: &mut PreparedModel<'_>, settings: &Settings) -> Outcome {
+    prepared.solve(settings, &mut Silent).unwrap()
 }
 
 fn assert_check_values(outcome: &Outcome, relative: f64) {
@@ -87,7 +80,8 @@ fn assert_check_values(outcome: &Outcome, relative: f64) {
 
 #[test]
 fn every_method_finds_the_check_values_of_the_two_bricks() {
-    let (model, mut prepared) = prepared(Engine::Explicit);
+    let model = model();
+    let mut prepared = prepared(&model, Engine::Explicit);
     for &method in Method::ALL {
         let settings = Settings {
             method,
@@ -96,7 +90,7 @@ fn every_method_finds_the_check_values_of_the_two_bricks() {
             engine: Engine::Explicit,
             ..Settings::default()
         };
-        let outcome = outcome(&model, &mut prepared, &settings);
+        let outcome = outcome(&mut prepared, &settings);
         assert_check_values(&outcome, 1e-9);
     }
 }
@@ -104,13 +98,14 @@ fn every_method_finds_the_check_values_of_the_two_bricks() {
 #[test]
 fn every_engine_finds_the_check_values_of_the_two_bricks() {
     for engine in [Engine::Factored, Engine::Condensed, Engine::Explicit] {
-        let (model, mut prepared) = prepared(engine);
+        let model = model();
+        let mut prepared = prepared(&model, engine);
         let settings = Settings {
             tolerance: 1e-10,
             engine,
             ..Settings::default()
         };
-        let outcome = outcome(&model, &mut prepared, &settings);
+        let outcome = outcome(&mut prepared, &settings);
         assert_check_values(&outcome, 1e-9);
         assert_eq!(outcome.description.engine.engine, engine);
     }
@@ -119,7 +114,8 @@ fn every_engine_finds_the_check_values_of_the_two_bricks() {
 /// The target of the project at the smallest size; `tresca bench table1` prints it for all.
 #[test]
 fn grssn_stays_within_its_budget_of_multiplications() {
-    let (model, mut prepared) = prepared(Engine::Condensed);
+    let model = model();
+    let mut prepared = prepared(&model, Engine::Condensed);
     let mut run = |method, tolerance| {
         let settings = Settings {
             method,
@@ -127,7 +123,7 @@ fn grssn_stays_within_its_budget_of_multiplications() {
             engine: Engine::Condensed,
             ..Settings::default()
         };
-        let outcome = outcome(&model, &mut prepared, &settings);
+        let outcome = outcome(&mut prepared, &settings);
         outcome.last().solution.clone()
     };
     for (tolerance, steps, budget) in [(1e-6, 10, 100), (1e-10, 14, 220)] {

@@ -6,11 +6,10 @@ use std::path::PathBuf;
 
 use tresca::fclib::{
     self, Document, GlobalProblem, Law, LocalProblem, Matrix, Outcome, Problem, ProblemError,
-    Silent,
 };
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
-use tresca::{FrictionLaw, Model, Run, Settings, SurfaceRef};
+use tresca::{FrictionLaw, Model, Settings, Silent, SurfaceRef};
 
 const FILES: [&str; 6] = [
     "FC2D_SliderCrankLagrangian00000.dat",
@@ -348,16 +347,10 @@ fn bricks(friction: FrictionLaw) -> Model {
 
 fn exported(model: &Model) -> Result<Document, ProblemError> {
     let mut progress = tresca::Silent;
-    let ControlFlow::Continue(mut prepared) =
-        tresca::prepare(model, &tight(), &mut progress).unwrap()
-    else {
-        panic!("nobody stops this run")
-    };
-    let Run::Finished(outcome) = prepared.solve(model, &tight(), &mut progress).unwrap() else {
-        panic!("nobody stops this run")
-    };
+    let mut prepared = tresca::prepare(model, &tight(), &mut progress).unwrap();
+    let outcome = prepared.solve(&tight(), &mut progress).unwrap();
     assert!(outcome.converged());
-    fclib::document(model, &mut prepared, &outcome)
+    fclib::document(&mut prepared, &outcome)
 }
 
 #[test]

@@ -2,11 +2,10 @@
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
-use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{
-    CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Run, Settings, Silent, SurfaceRef,
-    solve, two_bricks,
+    CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Settings, Silent, SurfaceRef,
 };
+use tresca_bench::two_bricks::{Units, two_bricks, two_bricks_with};
 
 const S: usize = 9;
 
@@ -17,10 +16,7 @@ fn run_with(model: &Model, method: Method, tolerance: f64) -> Outcome {
         engine: Engine::Condensed,
         ..Settings::default()
     };
-    match solve(model, &settings, &mut Silent).unwrap() {
-        Run::Finished(outcome) => *outcome,
-        Run::Stopped(_) => unreachable!("nobody stops this run"),
-    }
+    tresca::solve_with(model, &settings, &mut Silent).unwrap()
 }
 
 fn run(model: &Model) -> Outcome {
@@ -89,10 +85,11 @@ fn coulomb_counts_do_not_depend_on_units() {
                 engine: Engine::Condensed,
                 ..Settings::default()
             };
-            match solve(&model, &settings, &mut Silent).unwrap() {
-                Run::Finished(outcome) => outcome.last().solution.clone(),
-                Run::Stopped(_) => unreachable!("nobody stops this run"),
-            }
+            tresca::solve_with(&model, &settings, &mut Silent)
+                .unwrap()
+                .last()
+                .solution
+                .clone()
         };
         let reference = solve_in(Units::METRE_MEGAPASCAL);
         for units in [Units::MILLIMETRE_MEGAPASCAL, Units::SI] {

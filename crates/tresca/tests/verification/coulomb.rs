@@ -1,8 +1,8 @@
 //! Coulomb's law: both variants, their limits, their work.
 
 use super::support::{assert_close, report, settings, solved, solved_with, variant};
-use tresca::two_bricks::{Units, two_bricks_with};
 use tresca::{CoulombMethod, Engine, Field, FrictionLaw, Outcome};
+use tresca_bench::two_bricks::{Units, two_bricks_with};
 
 fn bricks(coefficient: &str) -> tresca::case::Case {
     let law = ("coefficient = 0.3", coefficient);
@@ -80,11 +80,7 @@ fn in_loop_updates_cost_little_more_than_a_tresca_solve() {
             .collect();
         let law = FrictionLaw::tresca(Field::Values(bounds));
         let model = two_bricks_with(9, Units::METRE_MEGAPASCAL, law).unwrap();
-        let tresca::Run::Finished(tresca) =
-            tresca::solve(&model, &settings, &mut tresca::Silent).unwrap()
-        else {
-            unreachable!("nobody stops this run")
-        };
+        let tresca = tresca::solve_with(&model, &settings, &mut tresca::Silent).unwrap();
         let (ours, theirs) = (&coulomb.last().solution, &tresca.last().solution);
         let (ours, theirs) = (ours.n_a - ours.n_a_setup, theirs.n_a - theirs.n_a_setup);
         assert!(

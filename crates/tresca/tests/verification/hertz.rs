@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use tresca::material::Isotropic;
 use tresca::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
 use tresca::model::{ContactSpec, PartnerRef};
-use tresca::{FrictionLaw, Model, Obstacle, Outcome, Run, Settings, Silent, SurfaceRef};
+use tresca::{FrictionLaw, Model, Obstacle, Outcome, Settings, Silent, SurfaceRef};
 
 use super::support::{assert_close, digits, report};
 
@@ -69,13 +69,9 @@ fn measured(outcome: &Outcome) -> Measured {
 }
 
 fn solved(model: &Model) -> Outcome {
-    match tresca::solve(model, &Settings::default(), &mut Silent).unwrap() {
-        Run::Finished(outcome) => {
-            assert!(outcome.converged(), "{}", outcome.status());
-            *outcome
-        }
-        Run::Stopped(_) => unreachable!("nobody stops this run"),
-    }
+    let outcome = tresca::solve_with(model, &Settings::default(), &mut Silent).unwrap();
+    assert!(outcome.converged(), "{}", outcome.status());
+    outcome
 }
 
 /// A hemisphere pushed by `approach` on a rigid plane.

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, Mesh, brick};
 use tresca::model::ContactSpec;
-use tresca::{Field, FrictionLaw, Model, Outcome, Run, Settings, Silent, SurfaceRef};
+use tresca::{Field, FrictionLaw, Model, Outcome, Settings, Silent, SurfaceRef};
 
 use super::support::report;
 
@@ -61,13 +61,9 @@ fn solved(cells: usize, approach: f64, shift: f64, friction: FrictionLaw) -> Out
         ..ContactSpec::new(face("upper", "z-"), face("lower", "z+"), friction)
     };
     model.add_contact_as(contact).unwrap();
-    match tresca::solve(&model, &Settings::default(), &mut Silent).unwrap() {
-        Run::Finished(outcome) => {
-            assert!(outcome.converged(), "{}", outcome.status());
-            *outcome
-        }
-        Run::Stopped(_) => unreachable!("nobody stops this run"),
-    }
+    let outcome = tresca::solve_with(&model, &Settings::default(), &mut Silent).unwrap();
+    assert!(outcome.converged(), "{}", outcome.status());
+    outcome
 }
 
 /// Sums over the pairs: of a force, and of the force times r².

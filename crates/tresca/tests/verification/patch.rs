@@ -4,9 +4,7 @@
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
 use tresca::model::{ContactSpec, LoadKind};
-use tresca::{
-    CouplingMethod, Field, FrictionLaw, Model, Outcome, Run, Settings, Silent, SurfaceRef,
-};
+use tresca::{CouplingMethod, Field, FrictionLaw, Model, Outcome, Settings, Silent, SurfaceRef};
 
 use super::support::report;
 
@@ -67,10 +65,7 @@ fn solved(model: &Model) -> Outcome {
         tolerance: 1e-14,
         ..Settings::default()
     };
-    match tresca::solve(model, &settings, &mut Silent).unwrap() {
-        Run::Finished(outcome) => *outcome,
-        Run::Stopped(_) => unreachable!("nobody stops this run"),
-    }
+    tresca::solve_with(model, &settings, &mut Silent).unwrap()
 }
 
 /// The largest relative deviation of a pair's traction from that of the uniaxial state.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use tresca::case::Case;
-use tresca::{Outcome, Run, Settings, Silent};
+use tresca::{Outcome, Settings, Silent};
 
 pub fn directory() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases")
@@ -20,11 +20,8 @@ pub fn variant(name: &str, exchange: &[(&str, &str)]) -> Case {
 }
 
 pub fn run(case: &Case, settings: &Settings) -> Outcome {
-    match tresca::solve(&case.model, settings, &mut Silent) {
-        Ok(Run::Finished(outcome)) => *outcome,
-        Ok(Run::Stopped(_)) => unreachable!("nobody stops this run"),
-        Err(error) => panic!("{}: {error}", case.model.title()),
-    }
+    tresca::solve_with(&case.model, settings, &mut Silent)
+        .unwrap_or_else(|error| panic!("{}: {error}", case.model.title()))
 }
 
 /// Solves, and demands convergence and a clean certificate.

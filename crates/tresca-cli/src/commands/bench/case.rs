@@ -1,62 +1,46 @@
 //! `tresca bench case`: what a case costs beside one linear solve of its bodies.
 
-use std::ops::ControlFlow;
 use std::path::Path;
-use std::time::Instant;
 
-use miette::{IntoDiagnostic, Report, miette};
+use miette::{IntoDiagnostic, Report};
+use tresca::Status;
 use tresca::case::Case;
-use tresca::linear::linear_solve;
-use tresca::output::Destination;
-use tresca::{Prepared, Silent, Status, memory};
+use tresca_bench::BenchError;
+use tresca_bench::trial::{Trial, Watch};
 
-use super::table1::{again, print_cost};
+use super::print_cost;
 use crate::args::{CaseArguments, use_threads};
 use crate::commands::solve::case_name;
 use crate::terminal::format::{grouped, seconds};
 
-pub fn run(arguments: &CaseArguments) -> miette::Result<u8> {
+pub fn run(arguments: &CaseArguments) -> miette::Result<bool> {
     use_threads(arguments.threads)?;
     let mut all_converged = true;
     for path in &arguments.cases {
         all_converged &= run_case(path, arguments)?;
     }
-    Ok(if all_converged {
-        crate::SUCCESS
-    } else {
-        crate::NOT_CONVERGED
-    })
+    Ok(all_converged)
 }
 
 fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
     let name = case_name(path)?;
-    memory::reset_peak();
-    let begin = Instant::now();
+    let watch = Watch::start();
     let case = Case::load(path)?;
-    let reading = begin.elapsed().as_secs_f64();
+    let reading = watch.seconds();
     let settings = arguments.solver.over(case.settings())?;
-    let located = |error: tresca::SolveError| Report::new(tresca::case::locate(&case, &error));
-    let model = &case.model;
-    let ControlFlow::Continue(mut prepared) =
-        tresca::prepare(model, &settings, &mut Silent).map_err(located)?
-    else {
-        return Err(miette!("interrupted"));
-    };
-    let outcome = again(&mut prepared, model, &settings)?;
-    let directory = tempfile::tempdir().into_diagnostic()?;
-    Destination::new(directory.path())
-        .and_then(|destination| destination.write(name, model, &outcome))
-        .into_diagnostic()?;
-    let whole = begin.elapsed().as_secs_f64();
-    let peak = memory::peak_bytes();
-
+    let trial = Trial::run(watch, name, &case.model, &settings).or_else(|error| match error {
+        BenchError::Model(error) => Err(Report::new(tresca::case::locate(&case, &error))),
+        other => Err(other).into_diagnostic(),
+    })?;
+    let description = trial.description();
     println!(
         "\n{}: {} dofs, {} pairs, engine {}",
         path.display(),
-        grouped(prepared.description.dofs),
-        grouped(prepared.description.pairs),
-        prepared.description.engine.engine
+        grouped(description.dofs),
+        grouped(description.pairs),
+        description.engine.engine
     );
+    let outcome = trial.first();
     for step in &outcome.steps {
         let solution = &step.solution;
         println!(
@@ -75,17 +59,9 @@ fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
         "    reading {}, contact search and coupling {}: {:.1} % of the whole",
         seconds(reading),
         seconds(contact),
-        100.0 * (reading + contact) / whole
+        100.0 * (reading + contact) / trial.seconds()
     );
-    let Prepared {
-        assembled,
-        factored,
-        dual,
-        ..
-    } = prepared;
-    // Two sets of factors at a time are none of the contact solve's memory.
-    drop((factored, dual));
-    let linear = linear_solve(model, &assembled).into_diagnostic()?;
-    print_cost(&outcome, whole, &linear, peak);
-    Ok(outcome.status() == Status::Converged)
+    let converged = outcome.status() == Status::Converged;
+    print_cost(&trial.cost().into_diagnostic()?);
+    Ok(converged)
 }

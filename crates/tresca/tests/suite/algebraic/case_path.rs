@@ -1,14 +1,14 @@
 //! A model solved as a case, and its matrices solved as matrices, must give the same.
 
 use tresca::algebraic::{self, Assembly};
-use tresca::two_bricks::{Units, two_bricks};
-use tresca::{Engine, Model, Run, Settings, Silent};
+use tresca::{Engine, Model, Settings, Silent};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 use super::common::assert_close;
 
 /// λ of the only step of a model.
 fn forces(model: &Model, settings: &Settings) -> Vec<f64> {
-    let Run::Finished(outcome) = tresca::solve(model, settings, &mut Silent).unwrap() else {
+    let Run::Finished(outcome) = tresca::solve_with(model, settings, &mut Silent).unwrap() else {
         panic!("nobody stops this run");
     };
     assert!(outcome.converged(), "{}", outcome.status());
@@ -87,7 +87,8 @@ fn every_case_gives_the_same_forces_as_matrices() {
             ..case.settings().clone()
         };
         let solution = algebraic::solve(&problem, &settings, &mut Silent).unwrap();
-        let Run::Finished(outcome) = tresca::solve(&case.model, &settings, &mut Silent).unwrap()
+        let Run::Finished(outcome) =
+            tresca::solve_with(&case.model, &settings, &mut Silent).unwrap()
         else {
             panic!("nobody stops this run");
         };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use tresca::algebraic::{Assembly, FileError, Matrix, Problem};
 use tresca::output::Destination;
-use tresca::two_bricks::{Units, two_bricks};
+use tresca_bench::two_bricks::{Units, two_bricks};
 
 use super::common::*;
 
@@ -50,7 +50,7 @@ fn archives_and_folders_hold_every_bit() {
         for name in ["problem.npz", "problem"] {
             let path = scene.path().join(format!("{number}-{name}"));
             write(&problem, &path);
-            let mut read = Problem::read(&path).unwrap();
+            let mut read = tresca::algebraic::read(&path).unwrap();
             // One law for all comes back as one for each.
             let laws = problem.conditions.friction.laws(problem.pairs()).unwrap();
             read.conditions.friction = read
@@ -76,7 +76,7 @@ fn an_assembled_model_says_where_its_numbers_come_from() {
     let path = scene.path().join("deep/er/bricks.npz");
     assembly.write(&path).unwrap();
     assert_eq!(
-        Problem::read(&path).unwrap().points,
+        tresca::algebraic::read(&path).unwrap().points,
         assembly.problem.points
     );
 }
@@ -85,12 +85,8 @@ fn an_assembled_model_says_where_its_numbers_come_from() {
 fn results_are_written_together() {
     let scene = tempfile::tempdir().unwrap();
     let solution = solved(&random(Laws::Tresca, 2, 0, 2), &tight());
-    let summary = solution
-        .write(
-            "random",
-            Destination::new(&scene.path().join("out")).unwrap(),
-        )
-        .unwrap();
+    let to = Destination::new(&scene.path().join("out")).unwrap();
+    let summary = tresca::algebraic::write(&solution, "random", to).unwrap();
     assert_eq!(summary.contact.closed + summary.contact.open, 6);
     let mut names: Vec<_> = std::fs::read_dir(scene.path().join("out"))
         .unwrap()
@@ -106,7 +102,7 @@ fn results_are_written_together() {
 
 #[track_caller]
 fn refused(path: &Path, parts: &[&str]) {
-    let error = match Problem::read(path) {
+    let error = match tresca::algebraic::read(path) {
         Ok(_) => panic!("nothing wrong with {}", path.display()),
         Err(error @ (FileError::File(_) | FileError::Content { .. })) => error.to_string(),
         Err(other) => panic!("{other}"),
@@ -196,7 +192,7 @@ fn folders_with_something_wrong() {
     refused(&folder, &["law", "there is T"]);
     std::fs::write(file("problem.toml"), "bounds = 0.25").unwrap();
     assert!(
-        Problem::read(&folder).is_ok(),
+        tresca::algebraic::read(&folder).is_ok(),
         "Tresca's law by its bound alone"
     );
     std::fs::remove_file(file("f.mtx")).unwrap();

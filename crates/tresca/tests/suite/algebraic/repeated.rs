@@ -1,9 +1,7 @@
 //! More than one solve on one factorisation; starts; interruption.
 
-use std::ops::ControlFlow;
-
 use tresca::algebraic::{Friction, Law, prepare, solve};
-use tresca::{IterationRecord, Method, Progress, Settings, Silent, Stage, Status};
+use tresca::{Method, Settings, Silent};
 
 use super::common::*;
 
@@ -122,52 +120,6 @@ fn incremental_friction_remembers() {
         conditions.previous_slip = Some(solution.slip.clone());
         conditions.start = Some(solution.forces());
     }
-}
-
-struct Stop {
-    at: Option<Stage>,
-    after: usize,
-}
-
-impl Progress for Stop {
-    fn stage(&mut self, stage: Stage) -> ControlFlow<()> {
-        if self.at == Some(stage) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
-
-    fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {
-        if record.iteration >= self.after {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
-}
-
-#[test]
-fn a_run_may_be_stopped_anywhere() {
-    let problem = random(Laws::Tresca, 2, 0, 2);
-    for stage in [Stage::Assembly, Stage::Factorization, Stage::Solve] {
-        let mut stop = Stop {
-            at: Some(stage),
-            after: usize::MAX,
-        };
-        let solution = solve(&problem, &tight(), &mut stop).unwrap();
-        assert_eq!(solution.status, Status::Interrupted, "{stage:?}");
-        assert_eq!(solution.iterations, 0);
-    }
-    let settings = Settings {
-        method: Method::Gimssn,
-        ..tight()
-    };
-    let solution = solve(&problem, &settings, &mut Stop { at: None, after: 3 }).unwrap();
-    assert_eq!(
-        (solution.status, solution.iterations),
-        (Status::Interrupted, 3)
-    );
 }
 
 #[test]

@@ -4,7 +4,7 @@ Clarabel solves the primal cone form, min ½uᵀKu − fᵀu + Σ g_i t_i with N
 scaled so that displacements are near 1: without that its stopping criterion, which compares with 1, is met
 too early. A result is measured with the same problem solved to 1e-13.
 
-    python benches/clarabel_bricks.py --sizes 9 13 16
+    python crates/tresca-bench/python/clarabel_bricks.py --sizes 9 13 16
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 import scipy.sparse as sp
 import tresca
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "examples" / "python"))
+sys.path.insert(0, str(Path(__file__).parents[3] / "examples" / "python"))
 
 from bricks import SLIP_BOUND, Bricks, two_bricks
 

@@ -4,11 +4,9 @@
 //! contact problems* (the Kučera school, Ostrava), restated in `docs/theory.md`. The element type
 //! is not in the paper; hex8 with s × s × s nodes per brick gives its numbers of dofs, 6s³.
 
-use tresca_contact::FrictionLaw;
-use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{BrickSpec, brick};
-
-use crate::{Model, ModelError, SurfaceRef};
+use tresca::material::Isotropic;
+use tresca::mesh::{BrickSpec, brick};
+use tresca::{FrictionLaw, Model, ModelError, SurfaceRef};
 
 /// The units in which the benchmark is stated. The answer must not depend on them.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@ function. The solver clocks its multiplications itself (``times["multiplications
 spent in it is measured here. All else counts as outside: looking at every entry of A, the methods' own work,
 and the way through Python. The certificate multiplies once more, at the price of the others.
 
-    python examples/python/bench_border.py
+    python crates/tresca-bench/python/border.py
 """
 
 from __future__ import annotations
