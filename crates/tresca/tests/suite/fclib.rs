@@ -1,7 +1,6 @@
 //! Problems of Siconos, which no one here posed, and problems with known answers, solved and measured
 //! by the natural map of De Saxcé, which knows nothing of the solver.
 
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use tresca::fclib::{
