@@ -82,9 +82,6 @@ pub fn solve_dual(
         start,
     } = dual;
     let order = operator.order();
-    if order == 0 {
-        return Err(AlgebraicError::NoPairs);
-    }
     if tangents > 2 || !order.is_multiple_of(tangents + 1) {
         return Err(AlgebraicError::Shape {
             what: "A",

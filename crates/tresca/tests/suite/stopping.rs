@@ -68,6 +68,8 @@ fn matrices(stop: &mut Stop) -> End {
 fn foreign(stop: &mut Stop) -> End {
     let model = model();
     let mut prepared = tresca::prepare(&model, &settings(), &mut tresca::Silent).unwrap();
+    // Solving it poses the loads.
+    prepared.solve(&settings(), &mut tresca::Silent).unwrap();
     let local = fclib::local_problem(prepared.system().dual()).unwrap();
     let problem = fclib::Problem::Local(local);
     match fclib::solve(&problem, fclib::Law::Coulomb, &settings(), stop) {
