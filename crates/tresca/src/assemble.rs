@@ -16,7 +16,7 @@ use tresca_qcqp::operator::Coupling;
 use crate::elastic::ElasticBody;
 use crate::floating::{Floating, floating};
 use crate::layout::Layout;
-use crate::model::{Contact, Model, Partner, Surface};
+use crate::model::{Contact, Model, Partner, Place};
 use crate::{ModelError, SolveError};
 
 /// One body as linear algebra.
@@ -216,7 +216,7 @@ fn coupled(
     dofs: &[DofMap],
     taken: [&[usize]; 2],
 ) -> Result<ContactData, ContactError> {
-    let side = |surface: &Surface, taken| Side {
+    let side = |surface: &Place, taken| Side {
         mesh: &model.bodies()[surface.body].mesh,
         faces: model.faces(surface),
         dofs: &dofs[surface.body],
@@ -235,8 +235,8 @@ fn coupled(
             contact.coupling,
             contact.search,
         ),
-        Partner::Obstacle(index) => {
-            let shape = &model.obstacles()[*index].shape;
+        Partner::Obstacle(id) => {
+            let shape = &model.obstacles()[id.0].shape;
             couple_obstacle(slave, shape, interface, contact.search)
         }
     }
