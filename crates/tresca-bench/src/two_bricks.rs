@@ -6,7 +6,8 @@
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
-use tresca::{FrictionLaw, Model, ModelError, SurfaceRef};
+use tresca::model::{Body, Contact, Support, Traction};
+use tresca::{FrictionLaw, Model, ModelError};
 
 /// The units in which the benchmark is stated. The answer must not depend on them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +53,6 @@ pub fn two_bricks(s: usize, units: Units) -> Result<Model, ModelError> {
 /// # Errors
 /// When s < 2, or the law has impossible figures.
 pub fn two_bricks_with(s: usize, units: Units, friction: FrictionLaw) -> Result<Model, ModelError> {
-    let surface = |body, faces| SurfaceRef { body, faces };
     let mut model = Model::new(format!(
         "Two bricks with {} friction, s = {s}",
         friction.name()
@@ -69,13 +69,12 @@ pub fn two_bricks_with(s: usize, units: Units, friction: FrictionLaw) -> Result<
         };
         let mesh = brick(&spec).map_err(in_body)?;
         let material = Isotropic::new(5.0e4 * units.stress, poisson).map_err(in_body)?;
-        model.add_body(name, mesh, material)?;
+        model.add_body(Body::new(name, mesh, material))?;
     }
-    model
-        .clamp(surface("upper", "x+"))?
-        .clamp(surface("lower", "x-"))?;
-    let loaded = [surface("upper", "z+"), surface("upper", "x-")];
-    model.add_traction(&loaded, [0.0, 0.0, -units.stress])?;
-    model.add_contact(surface("upper", "z-"), surface("lower", "z+"), friction)?;
+    model.add_support(Support::clamp("upper.x+"))?;
+    model.add_support(Support::clamp("lower.x-"))?;
+    let pressed = Traction::new([0.0, 0.0, -units.stress]);
+    model.add_load(pressed.on(["upper.z+", "upper.x-"]))?;
+    model.add_contact(Contact::new("upper.z-", "lower.z+", friction))?;
     Ok(model)
 }

@@ -13,7 +13,8 @@ use tresca_qcqp::Settings;
 
 use tresca_model::ModelError;
 use tresca_model::{
-    Amount, ContactSpec, LoadKind, Model, PartnerRef, Step, SurfaceRef, VectorField,
+    Amount, BodyForce, Contact, ContactId, ContactWithin, Gravity, Load, LoadId, Model, ObstacleId,
+    PlaceName, PlaceNames, Pressure, Step, Support, SupportId, Traction, VectorField,
 };
 
 /// The model that a case file describes, and for each contact of the model the table that it comes from:
@@ -72,15 +73,12 @@ impl Builder<'_> {
         };
         let located =
             |error: ModelError| fault(body.name.span(), error.to_string(), "this body", "");
-        model
-            .add_body(body.name.get_ref(), mesh, material)
-            .map_err(located)?;
-        let formulation = *body.formulation.get_ref();
-        model.formulation(formulation).map_err(located)?;
+        let mut made = tresca_model::Body::new(body.name.get_ref(), mesh, material)
+            .formulation(*body.formulation.get_ref());
         if let Some(density) = &constants.density {
-            model.density(*density.get_ref()).map_err(located)?;
+            made = made.density(*density.get_ref());
         }
-        Ok(())
+        model.add_body(made).map(drop).map_err(located)
     }
 
     fn mesh(&self, body: &Body) -> Result<mesh::Mesh, FemError> {
@@ -111,11 +109,14 @@ impl Builder<'_> {
         }
     }
 
-    fn reference<'a>(&'a self, surface: &'a Surface) -> SurfaceRef<'a> {
-        SurfaceRef {
-            body: self.file.bodies[surface.body].name.get_ref(),
-            faces: &surface.face,
-        }
+    fn reference(&self, surface: &Surface) -> PlaceName {
+        let body = self.file.bodies[surface.body].name.get_ref().as_str();
+        PlaceName::from((body, surface.face.as_str()))
+    }
+
+    fn body_names(&self, bodies: &[usize]) -> PlaceNames {
+        let names = bodies.iter().map(|&body| &self.file.bodies[body].name);
+        names.map(|name| name.get_ref().as_str()).collect()
     }
 
     /// The fault of an item whose table stands at `span`.
@@ -133,16 +134,14 @@ impl Builder<'_> {
 
     fn supports(&self, model: &mut Model) -> Result<(), CaseError> {
         for surface in self.file.clamps.iter().flat_map(|clamp| &clamp.on) {
-            model
-                .clamp(self.reference(surface))
-                .map_err(self.at(&surface.span))?;
+            let clamp = Support::clamp(self.reference(surface));
+            model.add_support(clamp).map_err(self.at(&surface.span))?;
         }
         for support in &self.file.supports {
-            let on: Vec<_> = support.on.iter().map(|on| self.reference(on)).collect();
-            let name = support.name.as_ref().map(|name| name.get_ref().as_str());
-            model
-                .support(name, &on, support.displacement)
-                .map_err(self.at(&support.span))?;
+            let on = support.on.iter().map(|on| self.reference(on));
+            let mut made = Support::new(on.collect::<PlaceNames>(), support.displacement);
+            made.name = text(&support.name);
+            model.add_support(made).map_err(self.at(&support.span))?;
         }
         Ok(())
     }
@@ -150,52 +149,27 @@ impl Builder<'_> {
     /// In the order that the amounts of a step are put together in: see `steps`.
     fn loads(&self, model: &mut Model) -> Result<(), CaseError> {
         let file = self.file;
-        let mut add =
-            |name: Option<&str>,
-             span: &Span,
-             on: &[Surface],
-             kind: &dyn Fn(Vec<tresca_model::Surface>) -> LoadKind| {
-                let surfaces = on.iter().map(|on| model.resolve(self.reference(on)));
-                let surfaces = surfaces.collect::<Result<_, _>>().map_err(self.at(span))?;
-                model
-                    .add_load(name, kind(surfaces))
-                    .map_err(self.at(span))?;
-                Ok::<(), CaseError>(())
-            };
-        fn text(name: &Option<crate::Spanned<String>>) -> Option<&str> {
-            name.as_ref().map(|name| name.get_ref().as_str())
-        }
+        let mut add = |name, span: &Span, mut load: Load<PlaceNames>| {
+            load.name = text(name);
+            model.add_load(load).map(drop).map_err(self.at(span))
+        };
+        let places =
+            |on: &[Surface]| -> PlaceNames { on.iter().map(|on| self.reference(on)).collect() };
         for item in &file.tractions {
-            add(text(&item.name), &item.span, &item.on, &|on| {
-                LoadKind::Traction {
-                    on,
-                    value: vector(&item.value),
-                }
-            })?;
+            let load = Traction::new(vector(&item.value)).on(places(&item.on));
+            add(&item.name, &item.span, load)?;
         }
         for item in &file.pressures {
-            add(text(&item.name), &item.span, &item.on, &|on| {
-                LoadKind::Pressure {
-                    on,
-                    value: field(item.value.get_ref()),
-                }
-            })?;
+            let load = Pressure::new(field(item.value.get_ref())).on(places(&item.on));
+            add(&item.name, &item.span, load)?;
         }
         for item in &file.body_forces {
-            let (bodies, value) = (&item.bodies, item.value);
-            add(text(&item.name), &item.span, &[], &|_| {
-                LoadKind::BodyForce {
-                    bodies: bodies.clone(),
-                    value,
-                }
-            })?;
+            let load = BodyForce::new(item.value).on(self.body_names(&item.bodies));
+            add(&item.name, &item.span, load)?;
         }
         for item in &file.gravities {
-            let (bodies, value) = (&item.bodies, item.value);
-            add(text(&item.name), &item.span, &[], &|_| LoadKind::Gravity {
-                bodies: bodies.clone(),
-                value,
-            })?;
+            let load = Gravity::new(item.value).on(self.body_names(&item.bodies));
+            add(&item.name, &item.span, load)?;
         }
         Ok(())
     }
@@ -232,9 +206,9 @@ impl Builder<'_> {
                     faces: surface.faces.clone(),
                 }),
             };
-            model
-                .add_obstacle(own.name.get_ref(), shape, own.motion.unwrap_or([0.0; 3]))
-                .map_err(self.at(&own.span))?;
+            let mut made = tresca_model::Obstacle::new(own.name.get_ref(), shape);
+            made.motion = own.motion;
+            model.add_obstacle(made).map_err(self.at(&own.span))?;
         }
         Ok(())
     }
@@ -242,7 +216,6 @@ impl Builder<'_> {
     fn contacts(&self, model: &mut Model) -> Result<Vec<usize>, CaseError> {
         let mut tables = Vec::new();
         for (table, contact) in self.file.contacts.iter().enumerate() {
-            let name = contact.name.as_ref().map(|name| name.get_ref().as_str());
             let friction = law(&contact.friction);
             let gap = field(contact.gap.get_ref());
             let coupling = match contact.coupling {
@@ -251,33 +224,29 @@ impl Builder<'_> {
                 Coupling::Mortar => CouplingMethod::Mortar,
             };
             let (slave, master) = match &contact.partners {
-                Partners::Surfaces { slave, master } => {
-                    (slave, PartnerRef::Surface(self.reference(master)))
-                }
+                Partners::Surfaces { slave, master } => (slave, self.reference(master)),
                 Partners::Obstacle { slave, obstacle } => {
                     let name = self.file.obstacles[*obstacle].name.get_ref();
-                    (slave, PartnerRef::Obstacle(name))
+                    (slave, name.as_str().into())
                 }
                 Partners::Near { distance, bodies } => {
-                    let names = bodies.iter();
-                    let names: Vec<&str> = names
-                        .map(|&body| self.file.bodies[body].name.get_ref().as_str())
-                        .collect();
-                    let count = model
-                        .add_contacts_within(*distance, &names, name, &friction, &gap, coupling)
-                        .map_err(self.at(&contact.span))?;
+                    let mut made = ContactWithin::within(*distance, friction)
+                        .bodies(self.body_names(bodies))
+                        .gap(gap)
+                        .coupling(coupling);
+                    made.name = text(&contact.name);
+                    let added = model.add_contacts_within(made);
+                    let count = added.map_err(self.at(&contact.span))?.len();
                     tables.extend(std::iter::repeat_n(table, count));
                     continue;
                 }
             };
-            let spec = ContactSpec {
-                name,
-                gap,
-                coupling,
-                search: contact.search,
-                ..ContactSpec::new(self.reference(slave), master, friction)
-            };
-            model.add_contact_as(spec).map_err(self.at(&contact.span))?;
+            let mut made = Contact::new(self.reference(slave), master, friction)
+                .gap(gap)
+                .coupling(coupling);
+            made.name = text(&contact.name);
+            made.search = contact.search;
+            model.add_contact(made).map_err(self.at(&contact.span))?;
             tables.push(table);
         }
         Ok(tables)
@@ -288,46 +257,60 @@ impl Builder<'_> {
         let clamped: usize = self.file.clamps.iter().map(|clamp| clamp.on.len()).sum();
         for step in &self.file.steps {
             let amounts = &step.amounts;
-            let clamps = std::iter::repeat_n(Amount::Factor(1.0), clamped);
-            let vectors = amounts.body_forces.iter().chain(&amounts.gravities);
-            let pressures = amounts.pressures.iter().map(|&amount| match amount {
-                crate::Amount::Factor(factor) => Amount::Factor(factor),
-                crate::Amount::Value(value) => Amount::Value([value, 0.0, 0.0]),
-            });
-            let tractions = amounts.tractions.iter().copied().map(same);
-            let name = step.name.as_ref().map(|name| match step.increments {
+            let mut made = Step::new(step.time);
+            made.name = step.name.as_ref().map(|name| match step.increments {
                 1 => name.clone(),
                 count => format!("{name}, increment {} of {count}", step.increment),
             });
-            let step = Step {
-                time: step.time,
-                name,
-                supports: clamps
-                    .chain(amounts.supports.iter().map(|&values| Amount::Value(values)))
-                    .collect(),
-                loads: tractions
-                    .chain(pressures)
-                    .chain(vectors.copied().map(same))
-                    .collect(),
-                obstacles: amounts.motions.iter().map(|&v| Amount::Value(v)).collect(),
-                bounds: tables
-                    .iter()
-                    .map(|&table| same(amounts.bounds[table]))
-                    .collect(),
-            };
+            for (i, values) in amounts.supports.iter().enumerate() {
+                let values = Amount::Vector(values.map(|value| value.unwrap_or(0.0)));
+                made = made.with(SupportId(clamped + i), values);
+            }
+            let tractions = amounts
+                .tractions
+                .iter()
+                .map(|&amount| vector_amount(amount));
+            let pressures = amounts
+                .pressures
+                .iter()
+                .map(|&amount| number_amount(amount));
+            let forces = amounts.body_forces.iter().chain(&amounts.gravities);
+            let loads = tractions
+                .chain(pressures)
+                .chain(forces.map(|&amount| vector_amount(amount)));
+            for (i, amount) in loads.enumerate() {
+                made = made.with(LoadId(i), amount);
+            }
+            for (i, &motion) in amounts.motions.iter().enumerate() {
+                made = made.with(ObstacleId(i), Amount::Vector(motion));
+            }
+            for (i, &table) in tables.iter().enumerate() {
+                made = made.with(ContactId(i), number_amount(amounts.bounds[table]));
+            }
             model
-                .add_step(step)
+                .add_step(made)
                 .map_err(|error| self.at(&(0..0))(error))?;
         }
         Ok(())
     }
 }
 
-fn same<T>(amount: crate::Amount<T>) -> Amount<T> {
+fn vector_amount(amount: crate::Amount<[f64; 3]>) -> Amount {
     match amount {
         crate::Amount::Factor(factor) => Amount::Factor(factor),
-        crate::Amount::Value(value) => Amount::Value(value),
+        crate::Amount::Value(value) => Amount::Vector(value),
     }
+}
+
+fn number_amount(amount: crate::Amount<f64>) -> Amount {
+    match amount {
+        crate::Amount::Factor(factor) => Amount::Factor(factor),
+        crate::Amount::Value(value) => Amount::Scalar(value),
+    }
+}
+
+fn text(name: &Option<crate::Spanned<String>>) -> Option<String> {
+    name.as_ref().map(|name| name.get_ref().clone())
 }
 
 fn field(own: &crate::Field) -> tresca_contact::Field {

@@ -80,8 +80,8 @@ impl Case {
     ) -> CaseError {
         let span = match subject {
             Subject::Body(body) => self.file.bodies[body].name.span(),
-            Subject::Contact(contact) => self.file.contacts[self.tables[contact]].span.clone(),
-            Subject::Load(load) => load_span(&self.file, load),
+            Subject::Contact(contact) => self.file.contacts[self.tables[contact.0]].span.clone(),
+            Subject::Load(load) => load_span(&self.file, load.0),
             _ => 0..0,
         };
         CaseError::semantic(&self.file.source, span, fact.into(), label, help)

@@ -1,34 +1,23 @@
 //! Contacts: which surfaces may touch what, and how they rub.
 
-use tresca_contact::{CouplingMethod, Field, FrictionLaw, facing_surfaces};
+use tresca_contact::{CouplingMethod, Field, FrictionLaw};
 
-use super::{Model, Surface, SurfaceRef};
-use crate::ModelError;
-
-/// A rigid partner of bodies.
-#[derive(Debug, Clone)]
-pub struct Obstacle {
-    /// Name, unique among bodies and obstacles.
-    pub name: String,
-    /// Where its surface is.
-    pub shape: tresca_contact::Obstacle,
-    /// Its displacement (a length); load steps scale or replace it. Small, as all displacements are:
-    /// the surface is looked at where it was.
-    pub motion: [f64; 3],
-}
+use crate::amount::{Amount, Shape};
+use crate::identity::ObstacleId;
+use crate::place::{Place, PlaceName, PlaceNames};
 
 /// Who faces a slave surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Partner {
     /// A surface of another body.
-    Surface(Surface),
-    /// An obstacle, by its index in [`Model::obstacles`](super::Model::obstacles).
-    Obstacle(usize),
+    Surface(Place),
+    /// An obstacle.
+    Obstacle(ObstacleId),
 }
 
 impl Partner {
     /// The surface of a body, if it is one.
-    pub fn surface(&self) -> Option<&Surface> {
+    pub fn surface(&self) -> Option<&Place> {
         match self {
             Partner::Surface(surface) => Some(surface),
             Partner::Obstacle(_) => None,
@@ -36,15 +25,17 @@ impl Partner {
     }
 }
 
-/// A slave surface and its partner, and how they rub.
+/// A slave surface and its partner, and how they rub. `S` and `M` are how the two are called: by name as long as the
+/// contact is not part of a model.
 #[derive(Debug, Clone)]
-pub struct Contact {
+#[non_exhaustive]
+pub struct Contact<S = Place, M = Partner> {
     /// How load steps call it.
     pub name: Option<String>,
     /// The slave surface; contact normals point out of it.
-    pub slave: Surface,
+    pub slave: S,
     /// The master surface or the obstacle.
-    pub master: Partner,
+    pub master: M,
     /// The friction law.
     pub friction: FrictionLaw,
     /// Added to the gap between the surfaces (a length); negative for an interference.
@@ -55,50 +46,17 @@ pub struct Contact {
     pub search: Option<f64>,
 }
 
-/// Who faces a slave surface, by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PartnerRef<'a> {
-    /// A surface of another body.
-    Surface(SurfaceRef<'a>),
-    /// An obstacle.
-    Obstacle(&'a str),
-}
-
-impl<'a> From<SurfaceRef<'a>> for PartnerRef<'a> {
-    fn from(surface: SurfaceRef<'a>) -> Self {
-        PartnerRef::Surface(surface)
-    }
-}
-
-/// A contact as it is added to a model: [`Contact`] with names for indices.
-#[derive(Debug, Clone)]
-pub struct ContactSpec<'a> {
-    /// How load steps call it.
-    pub name: Option<&'a str>,
-    /// The slave surface.
-    pub slave: SurfaceRef<'a>,
-    /// Its partner.
-    pub master: PartnerRef<'a>,
-    /// The friction law.
-    pub friction: FrictionLaw,
-    /// Added to the gap between the surfaces.
-    pub gap: Field,
-    /// How the two surfaces are coupled.
-    pub coupling: CouplingMethod,
-    /// Largest distance at which they are coupled.
-    pub search: Option<f64>,
-}
-
-impl<'a> ContactSpec<'a> {
-    /// Without a name, with the gap that the surfaces have, coupled as suits them.
+impl Contact<PlaceName, PlaceName> {
+    /// A surface and its partner, a surface of another body or an obstacle, with the gap that they have, coupled as
+    /// suits them.
     pub fn new(
-        slave: SurfaceRef<'a>,
-        master: impl Into<PartnerRef<'a>>,
+        slave: impl Into<PlaceName>,
+        master: impl Into<PlaceName>,
         friction: FrictionLaw,
     ) -> Self {
         Self {
             name: None,
-            slave,
+            slave: slave.into(),
             master: master.into(),
             friction,
             gap: Field::Constant(0.0),
@@ -108,139 +66,103 @@ impl<'a> ContactSpec<'a> {
     }
 }
 
-impl Model {
-    /// Adds a rigid obstacle that bodies may touch.
-    ///
-    /// # Errors
-    /// When the name is taken, or its motion is not finite or leaves the plane.
-    pub fn add_obstacle(
-        &mut self,
-        name: impl Into<String>,
-        shape: tresca_contact::Obstacle,
-        motion: [f64; 3],
-    ) -> Result<&mut Self, ModelError> {
-        let name = name.into();
-        self.check_new_name(&name)?;
-        self.check_components(&motion)?;
-        self.obstacles.push(Obstacle {
-            name,
-            shape,
-            motion,
-        });
-        Ok(self)
+impl<S, M> Contact<S, M> {
+    /// With a name, by which reports call it.
+    #[must_use]
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into());
+        self
     }
 
-    /// Lets a surface touch that of another body, or an obstacle.
-    ///
-    /// # Errors
-    /// As [`Model::add_contact_as`].
-    pub fn add_contact<'a>(
-        &mut self,
-        slave: SurfaceRef<'a>,
-        master: impl Into<PartnerRef<'a>>,
-        friction: FrictionLaw,
-    ) -> Result<&mut Self, ModelError> {
-        self.add_contact_as(ContactSpec::new(slave, master, friction))
+    /// With a length that is added to the gap; negative for an interference.
+    #[must_use]
+    pub fn gap(mut self, gap: impl Into<Field>) -> Self {
+        self.gap = gap.into();
+        self
     }
 
-    /// The same with everything that may be said of a contact.
-    ///
-    /// # Errors
-    /// When a surface or the obstacle does not exist, both sides lie on one body, or the law has
-    /// impossible figures.
-    pub fn add_contact_as(&mut self, spec: ContactSpec<'_>) -> Result<&mut Self, ModelError> {
-        spec.friction.validate()?;
-        if self.dimension() == 2 && matches!(spec.friction, FrictionLaw::Orthotropic { .. }) {
-            return Err(ModelError::OrthotropicInThePlane);
-        }
-        let slave = self.resolve(spec.slave)?;
-        let master = match spec.master {
-            PartnerRef::Surface(surface) => Partner::Surface(self.resolve(surface)?),
-            PartnerRef::Obstacle(name) => Partner::Obstacle(self.obstacle(name)?),
-        };
-        if master
-            .surface()
-            .is_some_and(|master| master.body == slave.body)
-        {
-            return Err(ModelError::SelfContact {
-                body: self.bodies[slave.body].name.clone(),
-            });
-        }
-        self.contacts.push(Contact {
-            name: spec.name.map(str::to_owned),
+    /// Coupled in another way than suits the surfaces.
+    #[must_use]
+    pub fn coupling(mut self, coupling: CouplingMethod) -> Self {
+        self.coupling = coupling;
+        self
+    }
+
+    /// Coupled up to another distance (a length, positive) than by the size of faces.
+    #[must_use]
+    pub fn search(mut self, distance: f64) -> Self {
+        self.search = Some(distance);
+        self
+    }
+
+    /// The same with other sides.
+    pub(crate) fn between<T, N>(self, slave: T, master: N) -> Contact<T, N> {
+        Contact {
+            name: self.name,
             slave,
             master,
-            friction: spec.friction,
-            gap: spec.gap,
-            coupling: spec.coupling,
-            search: spec.search,
-        });
-        Ok(self)
+            friction: self.friction,
+            gap: self.gap,
+            coupling: self.coupling,
+            search: self.search,
+        }
     }
 
-    /// Lets the exterior surfaces of bodies touch where they face one another within a distance (a length):
-    /// one contact for each two of the named bodies (of all without names) that come so close. The
-    /// faces become face sets of the two bodies, each named `near` and the other body's name with a colon
-    /// between; the body added first is the slave. Returns the number of contacts.
-    ///
-    /// # Errors
-    /// When a body does not exist, no two bodies come so close, or as [`Model::add_contact_as`].
-    pub fn add_contacts_within(
-        &mut self,
-        distance: f64,
-        bodies: &[&str],
-        name: Option<&str>,
-        friction: &FrictionLaw,
-        gap: &Field,
-        coupling: CouplingMethod,
-    ) -> Result<usize, ModelError> {
-        let chosen: Vec<usize> = if bodies.is_empty() {
-            (0..self.bodies.len()).collect()
-        } else {
-            let mut chosen = bodies
-                .iter()
-                .map(|name| self.body(name))
-                .collect::<Result<Vec<_>, _>>()?;
-            chosen.sort_unstable();
-            chosen.dedup();
-            chosen
-        };
-        let mut found = Vec::new();
-        for (k, &slave) in chosen.iter().enumerate() {
-            for &master in &chosen[k + 1..] {
-                let meshes = [slave, master].map(|body| &self.bodies[body].mesh);
-                let faces = facing_surfaces(meshes[0], meshes[1], distance)?;
-                if !faces.0.is_empty() {
-                    found.push(([slave, master], faces));
-                }
+    /// The slip bound that load steps can replace: `None` where the law has none, or several. Inside: its value where
+    /// that is the same everywhere.
+    fn single_bound(&self) -> Option<Option<f64>> {
+        match &self.friction {
+            FrictionLaw::Tresca { bound } | FrictionLaw::Bilateral { bound: Some(bound) } => {
+                Some(match bound {
+                    Field::Constant(value) => Some(*value),
+                    _ => None,
+                })
             }
+            _ => None,
         }
-        if found.is_empty() {
-            return Err(ModelError::NothingWithin { distance });
-        }
-        let count = found.len();
-        for ([slave, master], (slave_faces, master_faces)) in found {
-            let set_name = |other: usize| format!("near:{}", self.bodies[other].name);
-            let names = [set_name(master), set_name(slave)];
-            for (body, (name, faces)) in [slave, master]
-                .into_iter()
-                .zip(names.iter().zip([slave_faces, master_faces]))
-            {
-                self.bodies[body].mesh.face_sets.insert(name.clone(), faces);
-            }
-            let body_names = [slave, master].map(|body| self.bodies[body].name.clone());
-            let [slave, master] = std::array::from_fn(|side| SurfaceRef {
-                body: &body_names[side],
-                faces: &names[side],
-            });
-            self.add_contact_as(ContactSpec {
-                name,
-                gap: gap.clone(),
-                coupling,
-                search: Some(distance),
-                ..ContactSpec::new(slave, master, friction.clone())
-            })?;
-        }
-        Ok(count)
+    }
+
+    /// Whether load steps can scale its slip bounds.
+    pub fn has_bounds(&self) -> bool {
+        self.shape().is_some() || matches!(self.friction, FrictionLaw::Orthotropic { .. })
+    }
+
+    /// What load steps can put in the place of its slip bound.
+    pub fn shape(&self) -> Option<Shape> {
+        self.single_bound().map(|_| Shape::Scalar)
+    }
+
+    /// The slip bound where it is single, and the same everywhere.
+    pub fn constant(&self) -> Option<Amount> {
+        self.single_bound().flatten().map(Amount::Scalar)
+    }
+}
+
+/// The outer surfaces of bodies where they face one another within a distance.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Nearby {
+    /// Largest distance (a length).
+    pub distance: f64,
+    /// The bodies; all without names.
+    pub bodies: PlaceNames,
+}
+
+/// A contact of whatever is near: one contact for each two bodies that come so close.
+pub type ContactWithin = Contact<Nearby, ()>;
+
+impl ContactWithin {
+    /// Of all bodies that come as near as a distance (a length).
+    pub fn within(distance: f64, friction: FrictionLaw) -> Self {
+        let nothing = PlaceName::from("");
+        let bodies = PlaceNames::default();
+        Contact::new(nothing.clone(), nothing, friction).between(Nearby { distance, bodies }, ())
+    }
+
+    /// Of these bodies alone.
+    #[must_use]
+    pub fn bodies(mut self, bodies: impl Into<PlaceNames>) -> Self {
+        self.slave.bodies = bodies.into();
+        self
     }
 }

@@ -39,14 +39,14 @@ pub enum ModelError {
     },
     /// A surface that does not exist.
     #[error(
-        "body `{body}` has no surface `{faces}`; its surfaces are {}",
+        "body `{body}` has no surface `{surface}`; its surfaces are {}",
         list(known)
     )]
     UnknownSurface {
         /// The body.
         body: String,
         /// The surface that was given.
-        faces: String,
+        surface: String,
         /// The surfaces of that body.
         known: Vec<String>,
     },

@@ -17,7 +17,7 @@ use tresca_system::engine::PAIRS_PER_PATCH;
 use tresca_system::layout::Layout;
 
 use crate::floating::floating;
-use crate::model::{Contact, Model, Partner, Surface};
+use crate::model::{Contact, Model, Partner, Place};
 use crate::{ModelError, SolveError};
 
 /// A body between its mesh and its matrices.
@@ -218,7 +218,7 @@ fn coupled(
     dofs: &[DofMap],
     taken: [&[usize]; 2],
 ) -> Result<ContactData, ContactError> {
-    let side = |surface: &Surface, taken| Side {
+    let side = |surface: &Place, taken| Side {
         mesh: &model.bodies()[surface.body].mesh,
         faces: model.faces(surface),
         dofs: &dofs[surface.body],
@@ -237,8 +237,8 @@ fn coupled(
             contact.coupling,
             contact.search,
         ),
-        Partner::Obstacle(index) => {
-            let shape = &model.obstacles()[*index].shape;
+        Partner::Obstacle(id) => {
+            let shape = &model.obstacles()[id.0].shape;
             couple_obstacle(slave, shape, interface, contact.search)
         }
     }

@@ -1,7 +1,7 @@
 //! Cases, and the place in a case file that a fault found while solving speaks of.
 
 use tresca_contact::ContactError;
-use tresca_model::Subject;
+use tresca_model::{ContactId, LoadId, Subject};
 
 pub use tresca_case::{Case, CaseError};
 
@@ -24,13 +24,13 @@ pub fn locate(case: &Case, error: &SolveError) -> CaseError {
         } => {
             let (label, help) = coupling_hints(source);
             (
-                Subject::Contact(*contact),
+                ContactId(*contact).into(),
                 label.to_owned(),
                 help.to_owned(),
             )
         }
         SolveError::NonFiniteLoad { load, .. } => (
-            Subject::Load(*load),
+            LoadId(*load).into(),
             "its value is not a number everywhere".to_owned(),
             "an expression such as sqrt(x) or 1/x has no value at some points of the surface"
                 .to_owned(),

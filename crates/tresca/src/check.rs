@@ -9,8 +9,7 @@ use tresca_fem::loads::{nodal_areas, resultant};
 use tresca_fem::rigid;
 
 use crate::assemble::{couple_all, dof_maps};
-use crate::load_step::add_load;
-use crate::model::{Amount, Body, LoadKind, Model};
+use crate::model::{Amount, Body, LoadId, Model};
 use crate::{ModelError, SolveError};
 
 /// A body as it was understood.
@@ -218,26 +217,16 @@ fn load_checks(model: &Model) -> (Vec<LoadCheck>, Vec<Vec<f64>>) {
     let zero = || model.bodies().iter().map(|b| vec![0.0; b.mesh.dof_count()]);
     let mut sums: Vec<Vec<f64>> = zero().collect();
     let mut checks = Vec::new();
-    for load in model.loads() {
-        let (kind, on) = match &load.kind {
-            LoadKind::Traction { on, .. } => ("traction", Ok(on)),
-            LoadKind::Pressure { on, .. } => ("pressure", Ok(on)),
-            LoadKind::BodyForce { bodies, .. } => ("body force", Err(bodies)),
-            LoadKind::Gravity { bodies, .. } => ("gravity", Err(bodies)),
-        };
-        let name = |&body: &usize| model.bodies()[body].name.clone();
+    for (number, load) in model.loads().iter().enumerate() {
         let mut check = LoadCheck {
             name: load.name.clone(),
-            kind,
-            on: match on {
-                Ok(surfaces) => surfaces.iter().map(|on| model.surface_name(on)).collect(),
-                Err(bodies) => bodies.iter().map(name).collect(),
-            },
+            kind: load.kind.word(),
+            on: load.on.names(model.bodies()),
             force: [0.0; 3],
             moment: [0.0; 3],
         };
         for (index, (body, mut own)) in model.bodies().iter().zip(zero()).enumerate() {
-            add_load(model, index, load, Amount::Factor(1.0), &mut own);
+            model.add_forces(LoadId(number), index, Amount::WHOLE, &mut own);
             let part = resultant(&body.mesh, &own, [0.0; 3]);
             for k in 0..3 {
                 check.force[k] += part.force[k];

@@ -6,20 +6,19 @@
 //! from the displacements and forces alone.
 //!
 //! ```
-//! use tresca::{FrictionLaw, Model, SurfaceRef};
+//! use tresca::{Body, Contact, FrictionLaw, Model, Support, Traction};
 //! use tresca::mesh::{BrickSpec, brick};
 //! use tresca::material::Isotropic;
 //!
 //! let block = |low: f64| BrickSpec { min: [0.0, 0.0, low], max: [2.0, 1.0, low + 1.0], nodes: [5; 3] };
 //! let steel = Isotropic::new(2.1e5, 0.3)?;
-//! let face = |body, faces| SurfaceRef { body, faces };
 //!
 //! let mut model = Model::new("a block on a block");
-//! model.add_body("upper", brick(&block(1.0))?, steel)?;
-//! model.add_body("lower", brick(&block(0.0))?, steel)?;
-//! model.clamp(face("upper", "x+"))?.clamp(face("lower", "z-"))?;
-//! model.add_traction(&[face("upper", "z+")], [0.0, 0.0, -1.0])?;
-//! model.add_contact(face("upper", "z-"), face("lower", "z+"), FrictionLaw::tresca(0.1))?;
+//! model.add_body(Body::new("upper", brick(&block(1.0))?, steel))?;
+//! model.add_body(Body::new("lower", brick(&block(0.0))?, steel))?;
+//! model.add_support(Support::clamp(["upper.x+", "lower.z-"]))?;
+//! model.add_load(Traction::new([0.0, 0.0, -1.0]).on("upper.z+"))?;
+//! model.add_contact(Contact::new("upper.z-", "lower.z+", FrictionLaw::tresca(0.1)))?;
 //!
 //! let outcome = tresca::solve(&model)?;
 //! assert!(outcome.converged());
@@ -59,7 +58,7 @@ pub use surface_fields::SurfaceFields;
 pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
 pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
-pub use tresca_model::{self as model, Model, ModelError, SurfaceRef};
+pub use tresca_model::{self as model, Body, Contact, Model, ModelError, Step, Support, Traction};
 pub use tresca_qcqp::{
     CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts,
     Status,

@@ -1,13 +1,13 @@
 //! What acts in a load step: forces, prescribed displacements, slip bounds.
 
-use tresca_contact::{Field, Sliding};
-use tresca_fem::{assembly, loads};
+use tresca_contact::Sliding;
+use tresca_fem::assembly;
 use tresca_la::vector::{axpy, dot};
 use tresca_system::load_case::LoadCase;
 
 use crate::SolveError;
 use crate::assemble::{Assembled, supports};
-use crate::model::{Amount, Load, LoadKind, Model, Partner, Step, VectorField};
+use crate::model::{Amount, ContactId, LoadId, Model, Partner, Step, SupportId};
 
 /// Everything that may change from step to step.
 #[derive(Debug, Clone)]
@@ -36,7 +36,8 @@ pub fn acting(
     let mut free_loads = Vec::with_capacity(bodies.len());
     for (index, (body, system)) in bodies.iter().zip(&assembled.bodies).enumerate() {
         let load = body_load(model, index, step)?;
-        let values = |number: usize| amount_of_support(model, step, number);
+        let values =
+            |number: usize| model.supports()[number].components_by(step.amount(SupportId(number)));
         let prescribed = supports(model, index, values)?.values();
         let reduced = assembly::reduced_load(
             &body.mesh,
@@ -56,8 +57,9 @@ pub fn acting(
     let slidings: Vec<Sliding> = assembled
         .contacts
         .iter()
-        .zip(&step.bounds)
-        .flat_map(|(data, &amount)| {
+        .enumerate()
+        .flat_map(|(contact, data)| {
+            let amount = step.amount(ContactId(contact));
             let pairs = data.pairs.iter();
             pairs.map(move |pair| sliding(pair.sliding, pair.area, amount))
         })
@@ -80,14 +82,6 @@ pub fn acting(
     })
 }
 
-/// Displacement of an obstacle in a step.
-fn motion_of_obstacle(model: &Model, step: &Step, number: usize) -> [f64; 3] {
-    match step.obstacles[number] {
-        Amount::Factor(factor) => model.obstacles()[number].motion.map(|x| factor * x),
-        Amount::Value(value) => value,
-    }
-}
-
 /// What the motion of obstacles adds to B u: \[−ν·v; −τ·v\] of pairs with an obstacle that moves by v, zero of all
 /// others. Length d m.
 fn obstacle_motion(model: &Model, assembled: &Assembled, step: &Step) -> Vec<f64> {
@@ -96,8 +90,8 @@ fn obstacle_motion(model: &Model, assembled: &Assembled, step: &Step) -> Vec<f64
     let mut moved = vec![0.0; layout.unknowns()];
     let mut i = 0;
     for (contact, data) in model.contacts().iter().zip(&assembled.contacts) {
-        if let Partner::Obstacle(number) = contact.master {
-            let v = motion_of_obstacle(model, step, number);
+        if let Partner::Obstacle(id) = contact.master {
+            let v = model.obstacles()[id.0].motion_by(step.amount(id));
             for (offset, pair) in data.pairs.iter().enumerate() {
                 moved[i + offset] = -dot(&pair.frame.normal, &v);
                 for (t, tangent) in pair.frame.tangents.iter().take(tangents).enumerate() {
@@ -110,23 +104,14 @@ fn obstacle_motion(model: &Model, assembled: &Assembled, step: &Step) -> Vec<f64
     moved
 }
 
-fn amount_of_support(model: &Model, step: &Step, number: usize) -> [Option<f64>; 3] {
-    match step.supports[number] {
-        Amount::Factor(factor) => model.supports()[number]
-            .components
-            .map(|value| value.map(|value| factor * value)),
-        Amount::Value(values) => values,
-    }
-}
-
-fn sliding(own: Sliding, area: f64, amount: Amount<f64>) -> Sliding {
+fn sliding(own: Sliding, area: f64, amount: Amount) -> Sliding {
     match (own, amount) {
         (Sliding::Bounded(bounds), Amount::Factor(factor)) => {
             Sliding::Bounded(bounds.map(|bound| factor * bound))
         }
         // Only isotropic bounds can be replaced (`Model::add_step`); where supports leave the pair one
         // tangent, the other one's bound is never looked at.
-        (Sliding::Bounded(_), Amount::Value(value)) => Sliding::Bounded([value * area; 2]),
+        (Sliding::Bounded(_), Amount::Scalar(value)) => Sliding::Bounded([value * area; 2]),
         (other, _) => other,
     }
 }
@@ -135,8 +120,9 @@ fn sliding(own: Sliding, area: f64, amount: Amount<f64>) -> Sliding {
 fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, SolveError> {
     let mesh = &model.bodies()[index].mesh;
     let mut sum = vec![0.0; mesh.dof_count()];
-    for (number, (load, &amount)) in model.loads().iter().zip(&step.loads).enumerate() {
-        add_load(model, index, load, amount, &mut sum);
+    for number in 0..model.loads().len() {
+        let id = LoadId(number);
+        model.add_forces(id, index, step.amount(id), &mut sum);
         if !sum.iter().all(|x| x.is_finite()) {
             return Err(SolveError::NonFiniteLoad {
                 load: number,
@@ -145,71 +131,4 @@ fn body_load(model: &Model, index: usize, step: &Step) -> Result<Vec<f64>, Solve
         }
     }
     Ok(sum)
-}
-
-/// Adds an amount of a load to what acts on a body.
-pub(crate) fn add_load(
-    model: &Model,
-    index: usize,
-    load: &Load,
-    amount: Amount<[f64; 3]>,
-    sum: &mut [f64],
-) {
-    let (factor, value) = match amount {
-        Amount::Factor(factor) => (factor, None),
-        Amount::Value(value) => (1.0, Some(value)),
-    };
-    add(model, index, &load.kind, value, factor, sum);
-}
-
-/// sum ← sum + factor · load, with `value` in the place of the load's own.
-fn add(
-    model: &Model,
-    index: usize,
-    kind: &LoadKind,
-    value: Option<[f64; 3]>,
-    factor: f64,
-    sum: &mut [f64],
-) {
-    let body = &model.bodies()[index];
-    let mesh = &body.mesh;
-    match kind {
-        LoadKind::Traction { on, value: own } => {
-            let own = value.map_or_else(|| own.clone(), VectorField::Constant);
-            for surface in on.iter().filter(|surface| surface.body == index) {
-                let part = match &own {
-                    VectorField::Constant(value) => {
-                        loads::traction(mesh, model.faces(surface), *value)
-                    }
-                    VectorField::Function(function) => {
-                        loads::traction_field(mesh, model.faces(surface), |x| function(x))
-                    }
-                };
-                axpy(factor, &part, sum);
-            }
-        }
-        LoadKind::Pressure { on, value: own } => {
-            let pressure = |x| match (value, own) {
-                (Some(value), _) => value[0],
-                (None, Field::Constant(value)) => *value,
-                (None, Field::Function(function)) => function(x),
-                // `Model::add_load` refuses it.
-                (None, Field::Values(_)) => f64::NAN,
-            };
-            for surface in on.iter().filter(|surface| surface.body == index) {
-                let part = loads::pressure_field(mesh, model.faces(surface), pressure);
-                axpy(factor, &part, sum);
-            }
-        }
-        LoadKind::BodyForce { bodies, value: own } if bodies.contains(&index) => {
-            let force = value.unwrap_or(*own);
-            axpy(factor, &loads::body_force(mesh, |_| force), sum);
-        }
-        LoadKind::Gravity { bodies, value: own } if bodies.contains(&index) => {
-            let density = body.density.unwrap_or(0.0);
-            let force = value.unwrap_or(*own).map(|g| density * g);
-            axpy(factor, &loads::body_force(mesh, |_| force), sum);
-        }
-        LoadKind::BodyForce { .. } | LoadKind::Gravity { .. } => {}
-    }
 }

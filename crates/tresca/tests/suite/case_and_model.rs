@@ -2,7 +2,6 @@
 
 use tresca::Method;
 use tresca::case::Case;
-use tresca::model::LoadKind;
 use tresca_bench::two_bricks::{Units, two_bricks};
 
 const TWO_BRICKS: &str = include_str!("../../../../cases/two-bricks.toml");
@@ -32,13 +31,7 @@ fn the_benchmark_case_is_the_benchmark_model() {
     let loaded = |model: &tresca::Model| -> Vec<_> {
         let loads = model.loads().iter();
         loads
-            .flat_map(|load| match &load.kind {
-                LoadKind::Traction { on, value } => {
-                    let on = on.iter().map(|on| model.surface_name(on));
-                    on.map(|on| format!("{on} {value:?}")).collect::<Vec<_>>()
-                }
-                other => panic!("{other:?}"),
-            })
+            .map(|load| format!("{:?} on {:?}", load.kind, load.on))
             .collect()
     };
     assert_eq!(loaded(&case.model), loaded(&model));

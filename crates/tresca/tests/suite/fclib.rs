@@ -8,7 +8,7 @@ use tresca::fclib::{
 };
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
-use tresca::{FrictionLaw, Model, Settings, Silent, SurfaceRef};
+use tresca::{Body, Contact, FrictionLaw, Model, Settings, Silent, Support, Traction};
 
 const FILES: [&str; 6] = [
     "FC2D_SliderCrankLagrangian00000.dat",
@@ -324,22 +324,21 @@ fn bricks(friction: FrictionLaw) -> Model {
         max: [2.0, 1.0, low + 1.0],
         nodes: [5, 4, 4],
     };
-    let face = |body, faces| SurfaceRef { body, faces };
     let material = || Isotropic::new(1000.0, 0.3).unwrap();
     let mut model = Model::new("a block on a block");
     model
-        .add_body("upper", brick(&block(1.0)).unwrap(), material())
+        .add_body(Body::new("upper", brick(&block(1.0)).unwrap(), material()))
         .unwrap();
     model
-        .add_body("lower", brick(&block(0.0)).unwrap(), material())
+        .add_body(Body::new("lower", brick(&block(0.0)).unwrap(), material()))
         .unwrap();
-    model.clamp(face("upper", "x+")).unwrap();
-    model.clamp(face("lower", "x-")).unwrap();
+    model.add_support(Support::clamp("upper.x+")).unwrap();
+    model.add_support(Support::clamp("lower.x-")).unwrap();
     model
-        .add_traction(&[face("upper", "z+")], [0.0, 0.2, -1.0])
+        .add_load(Traction::new([0.0, 0.2, -1.0]).on("upper.z+"))
         .unwrap();
     model
-        .add_contact(face("upper", "z-"), face("lower", "z+"), friction)
+        .add_contact(Contact::new("upper.z-", "lower.z+", friction))
         .unwrap();
     model
 }

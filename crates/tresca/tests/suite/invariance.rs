@@ -3,7 +3,8 @@
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
 use tresca::{
-    CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Settings, Silent, SurfaceRef,
+    Body, Contact, CoulombMethod, Engine, FrictionLaw, Method, Model, Outcome, Settings, Silent,
+    Support, Traction,
 };
 use tresca_bench::two_bricks::{Units, two_bricks, two_bricks_with};
 
@@ -113,7 +114,6 @@ fn coulomb_counts_do_not_depend_on_units() {
 
 /// A brick on a brick, pushed, that only contact holds.
 fn resting(units: Units) -> Model {
-    let surface = |body, faces| SurfaceRef { body, faces };
     let mut model = Model::new("resting");
     for (name, low) in [("upper", 1.0), ("lower", 0.0)] {
         let spec = BrickSpec {
@@ -123,14 +123,14 @@ fn resting(units: Units) -> Model {
         };
         let material = Isotropic::new(5.0e4 * units.stress, 0.3).unwrap();
         let mesh = brick(&spec).unwrap();
-        model.add_body(name, mesh, material).unwrap();
+        model.add_body(Body::new(name, mesh, material)).unwrap();
     }
-    model.clamp(surface("lower", "z-")).unwrap();
+    model.add_support(Support::clamp("lower.z-")).unwrap();
     let push = [0.1, 0.05, -1.0].map(|t| t * units.stress);
-    model.add_traction(&[surface("upper", "z+")], push).unwrap();
+    model.add_load(Traction::new(push).on("upper.z+")).unwrap();
     let law = FrictionLaw::tresca(0.2 * units.stress);
     model
-        .add_contact(surface("upper", "z-"), surface("lower", "z+"), law)
+        .add_contact(Contact::new("upper.z-", "lower.z+", law))
         .unwrap();
     model
 }
@@ -160,7 +160,6 @@ fn floating_bodies_do_not_depend_on_units() {
 
 /// The benchmark with its y extent and the roles of the two sides to choose.
 fn variant(y: [f64; 2], swapped: bool) -> Model {
-    let surface = |body, faces| SurfaceRef { body, faces };
     let mut model = Model::new("variant");
     for (name, low, poisson) in [("upper", 1.0, 0.277), ("lower", 0.0, 0.35)] {
         let spec = BrickSpec {
@@ -170,24 +169,24 @@ fn variant(y: [f64; 2], swapped: bool) -> Model {
         };
         let material = Isotropic::new(5.0e4, poisson).unwrap();
         model
-            .add_body(name, brick(&spec).unwrap(), material)
+            .add_body(Body::new(name, brick(&spec).unwrap(), material))
             .unwrap();
     }
-    model.clamp(surface("upper", "x+")).unwrap();
-    model.clamp(surface("lower", "x-")).unwrap();
+    model.add_support(Support::clamp("upper.x+")).unwrap();
+    model.add_support(Support::clamp("lower.x-")).unwrap();
     // A sideways part, so that the problem itself is not symmetric in y.
     let sideways = if y[0] < 0.0 { -0.3 } else { 0.3 };
     model
-        .add_traction(&[surface("upper", "z+")], [0.0, sideways, -1.0])
+        .add_load(Traction::new([0.0, sideways, -1.0]).on("upper.z+"))
         .unwrap();
-    let sides = [surface("upper", "z-"), surface("lower", "z+")];
+    let sides = ["upper.z-", "lower.z+"];
     let (slave, master) = if swapped {
         (sides[1], sides[0])
     } else {
         (sides[0], sides[1])
     };
     model
-        .add_contact(slave, master, FrictionLaw::tresca(0.09))
+        .add_contact(Contact::new(slave, master, FrictionLaw::tresca(0.09)))
         .unwrap();
     model
 }

@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 
 use tresca::material::Isotropic;
 use tresca::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
-use tresca::model::{ContactSpec, PartnerRef};
-use tresca::{FrictionLaw, Model, Obstacle, Outcome, Settings, Silent, SurfaceRef};
+use tresca::model;
+use tresca::{Body, Contact, FrictionLaw, Model, Obstacle, Outcome, Settings, Silent, Support};
 
 use super::support::{assert_close, digits, report};
 
@@ -76,32 +76,23 @@ fn solved(model: &Model) -> Outcome {
 
 /// A hemisphere pushed by `approach` on a rigid plane.
 fn on_plane(space: Space, kind: CellKind, cells: usize, focus: f64, approach: f64) -> Outcome {
-    let face = |faces| SurfaceRef {
-        body: "ball",
-        faces,
-    };
     let mut model = Model::new("Hertz");
     let material = Isotropic::new(YOUNG, POISSON).unwrap();
     let mesh = ball(space, kind, cells, focus, true);
-    model.add_body("ball", mesh, material).unwrap();
+    model.add_body(Body::new("ball", mesh, material)).unwrap();
     let axis = [Some(0.0), None, None];
-    model.support(None, &[face("x-")], axis).unwrap();
+    model.add_support(Support::new("ball.x-", axis)).unwrap();
     let pushed = [None, Some(-approach), None];
-    model.support(None, &[face("y+")], pushed).unwrap();
+    model.add_support(Support::new("ball.y+", pushed)).unwrap();
     let plane = Obstacle::Plane {
         point: [0.0; 3],
         normal: [0.0, 1.0, 0.0],
     };
-    model.add_obstacle("plane", plane, [0.0; 3]).unwrap();
-    let contact = ContactSpec {
-        search: Some(RADIUS),
-        ..ContactSpec::new(
-            face("y-"),
-            PartnerRef::Obstacle("plane"),
-            FrictionLaw::Frictionless,
-        )
-    };
-    model.add_contact_as(contact).unwrap();
+    model
+        .add_obstacle(model::Obstacle::new("plane", plane))
+        .unwrap();
+    let contact = Contact::new("ball.y-", "plane", FrictionLaw::Frictionless).search(RADIUS);
+    model.add_contact(contact).unwrap();
     solved(&model)
 }
 
@@ -171,27 +162,25 @@ fn a_cylinder_on_a_rigid_flat() {
 /// approach; radius and peak pressure against Hertz at the load that was computed.
 fn two_balls(cells: usize, focus: f64, approach: f64) -> [f64; 5] {
     let (reduced, radius) = (0.5 * YOUNG / (1.0 - POISSON * POISSON), 0.5 * RADIUS);
-    let face = |body, faces| SurfaceRef { body, faces };
     let mut model = Model::new("two balls");
     let material = Isotropic::new(YOUNG, POISSON).unwrap();
     let upper = ball(Space::Axisymmetric, CellKind::Quad8, cells, focus, true);
     // Other cells, and more of them: the two meshes do not match.
     let more = cells + cells / 3;
     let lower = ball(Space::Axisymmetric, CellKind::Tri6, more, focus, false);
-    model.add_body("upper", upper, material).unwrap();
-    model.add_body("lower", lower, material).unwrap();
+    model.add_body(Body::new("upper", upper, material)).unwrap();
+    model.add_body(Body::new("lower", lower, material)).unwrap();
     for (body, flat, share) in [("upper", "y+", -0.5), ("lower", "y-", 0.5)] {
         let axis = [Some(0.0), None, None];
-        model.support(None, &[face(body, "x-")], axis).unwrap();
+        model.add_support(Support::new((body, "x-"), axis)).unwrap();
         let moved = [None, Some(share * approach), None];
-        model.support(None, &[face(body, flat)], moved).unwrap();
+        model
+            .add_support(Support::new((body, flat), moved))
+            .unwrap();
     }
-    let (slave, master) = (face("upper", "y-"), face("lower", "y+"));
+    let (slave, master) = ("upper.y-", "lower.y+");
     model
-        .add_contact_as(ContactSpec {
-            search: Some(RADIUS),
-            ..ContactSpec::new(slave, master, FrictionLaw::Frictionless)
-        })
+        .add_contact(Contact::new(slave, master, FrictionLaw::Frictionless).search(RADIUS))
         .unwrap();
     let found = measured(&solved(&model));
     let found_radius = (2.5f64).sqrt() * found.radius;

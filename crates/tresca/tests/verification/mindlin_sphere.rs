@@ -9,8 +9,7 @@ use std::f64::consts::PI;
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, Mesh, brick};
-use tresca::model::ContactSpec;
-use tresca::{Field, FrictionLaw, Model, Outcome, Settings, Silent, SurfaceRef};
+use tresca::{Body, Contact, Field, FrictionLaw, Model, Outcome, Settings, Silent, Support};
 
 use super::support::report;
 
@@ -42,25 +41,25 @@ fn cap(cells: usize, up: bool) -> Mesh {
 
 /// Both balls moved towards each other by `approach` in all, and the upper one by `shift` along x.
 fn solved(cells: usize, approach: f64, shift: f64, friction: FrictionLaw) -> Outcome {
-    let face = |body, faces| SurfaceRef { body, faces };
     let material = Isotropic::new(YOUNG, POISSON).unwrap();
     let mut model = Model::new("two balls, pressed and shifted");
     for (body, up, far, sign) in [("upper", true, "z+", 1.0), ("lower", false, "z-", -1.0)] {
-        model.add_body(body, cap(cells, up), material).unwrap();
+        model
+            .add_body(Body::new(body, cap(cells, up), material))
+            .unwrap();
         let moved = [
             Some(0.5 * sign * shift),
             Some(0.0),
             Some(-0.5 * sign * approach),
         ];
-        model.support(None, &[face(body, far)], moved).unwrap();
+        model.add_support(Support::new((body, far), moved)).unwrap();
         let symmetry = [None, Some(0.0), None];
-        model.support(None, &[face(body, "y-")], symmetry).unwrap();
+        model
+            .add_support(Support::new((body, "y-"), symmetry))
+            .unwrap();
     }
-    let contact = ContactSpec {
-        search: Some(2.0),
-        ..ContactSpec::new(face("upper", "z-"), face("lower", "z+"), friction)
-    };
-    model.add_contact_as(contact).unwrap();
+    let contact = Contact::new("upper.z-", "lower.z+", friction).search(2.0);
+    model.add_contact(contact).unwrap();
     let outcome = tresca::solve_with(&model, &Settings::default(), &mut Silent).unwrap();
     assert!(outcome.converged(), "{}", outcome.status());
     outcome

@@ -3,8 +3,10 @@
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
-use tresca::model::{ContactSpec, LoadKind};
-use tresca::{CouplingMethod, Field, FrictionLaw, Model, Outcome, Settings, Silent, SurfaceRef};
+use tresca::model::Pressure;
+use tresca::{
+    Body, Contact, CouplingMethod, FrictionLaw, Model, Outcome, Settings, Silent, Support,
+};
 
 use super::support::report;
 
@@ -24,7 +26,6 @@ fn block(kind: CellKind, min: [f64; 3], max: [f64; 3], nodes: [usize; 3]) -> Mes
 
 /// Two blocks, pressed together between rollers; `slope` inclines the interface.
 fn blocks(upper: Cells, lower: Cells, slope: f64, law: FrictionLaw) -> Model {
-    let face = |body, faces| SurfaceRef { body, faces };
     let steel = Isotropic::new(2.1e5, 0.3).unwrap();
     // Straight sides stay straight, the interface becomes a plane across the column.
     let tilt = |mesh: Mesh, far: f64| {
@@ -37,26 +38,28 @@ fn blocks(upper: Cells, lower: Cells, slope: f64, law: FrictionLaw) -> Model {
     let mut model = Model::new("patch test");
     let top = block(upper.0, [0.0, 0.0, 1.0], [1.2, 1.0, 2.0], upper.1);
     let bottom = block(lower.0, [0.0, 0.0, 0.0], [1.2, 1.0, 1.0], lower.1);
-    model.add_body("upper", tilt(top, 2.0), steel).unwrap();
-    model.add_body("lower", tilt(bottom, 0.0), steel).unwrap();
+    model
+        .add_body(Body::new("upper", tilt(top, 2.0), steel))
+        .unwrap();
+    model
+        .add_body(Body::new("lower", tilt(bottom, 0.0), steel))
+        .unwrap();
     let roller = |axis: usize| std::array::from_fn(|k| (k == axis).then_some(0.0));
     for body in ["upper", "lower"] {
-        model.support(None, &[face(body, "x-")], roller(0)).unwrap();
-        model.support(None, &[face(body, "y-")], roller(1)).unwrap();
+        model
+            .add_support(Support::new((body, "x-"), roller(0)))
+            .unwrap();
+        model
+            .add_support(Support::new((body, "y-"), roller(1)))
+            .unwrap();
     }
     model
-        .support(None, &[face("lower", "z-")], roller(2))
+        .add_support(Support::new("lower.z-", roller(2)))
         .unwrap();
-    let on = vec![model.resolve(face("upper", "z+")).unwrap()];
-    let value = Field::Constant(PRESSURE);
-    model
-        .add_load(None, LoadKind::Pressure { on, value })
-        .unwrap();
-    let contact = ContactSpec {
-        coupling: CouplingMethod::Mortar,
-        ..ContactSpec::new(face("upper", "z-"), face("lower", "z+"), law)
-    };
-    model.add_contact_as(contact).unwrap();
+    let pressure = Pressure::new(PRESSURE);
+    model.add_load(pressure.on("upper.z+")).unwrap();
+    let contact = Contact::new("upper.z-", "lower.z+", law).coupling(CouplingMethod::Mortar);
+    model.add_contact(contact).unwrap();
     model
 }
 
@@ -147,35 +150,27 @@ fn a_constant_pressure_crosses_an_interface_in_the_plane() {
                 };
                 rectangle(&spec).unwrap().with_cells(kind).unwrap()
             };
-            let face = |body, faces| SurfaceRef { body, faces };
             let steel = Isotropic::new(2.1e5, 0.3).unwrap();
             let mut model = Model::new("patch test in the plane");
             model
-                .add_body("upper", part(above, 1.0, [5, 3]), steel)
+                .add_body(Body::new("upper", part(above, 1.0, [5, 3]), steel))
                 .unwrap();
             model
-                .add_body("lower", part(below, 0.0, [7, 4]), steel)
+                .add_body(Body::new("lower", part(below, 0.0, [7, 4]), steel))
                 .unwrap();
             for body in ["upper", "lower"] {
                 let held = [Some(0.0), None, None];
-                model.support(None, &[face(body, "x-")], held).unwrap();
+                model.add_support(Support::new((body, "x-"), held)).unwrap();
             }
             let held = [None, Some(0.0), None];
-            model.support(None, &[face("lower", "y-")], held).unwrap();
-            let on = vec![model.resolve(face("upper", "y+")).unwrap()];
-            let value = Field::Constant(PRESSURE);
+            model.add_support(Support::new("lower.y-", held)).unwrap();
+            let pressure = Pressure::new(PRESSURE);
+            model.add_load(pressure.on("upper.y+")).unwrap();
             model
-                .add_load(None, LoadKind::Pressure { on, value })
-                .unwrap();
-            model
-                .add_contact_as(ContactSpec {
-                    coupling: CouplingMethod::Mortar,
-                    ..ContactSpec::new(
-                        face("upper", "y-"),
-                        face("lower", "y+"),
-                        FrictionLaw::Frictionless,
-                    )
-                })
+                .add_contact(
+                    Contact::new("upper.y-", "lower.y+", FrictionLaw::Frictionless)
+                        .coupling(CouplingMethod::Mortar),
+                )
                 .unwrap();
             let outcome = solved(&model);
             let pairs = outcome.last().pairs();
@@ -194,7 +189,6 @@ fn a_constant_pressure_crosses_an_interface_in_the_plane() {
 #[test]
 fn a_face_cut_in_two_carries_what_it_did_in_one_piece() {
     for method in [CouplingMethod::NodeByNode, CouplingMethod::Mortar] {
-        let face = |body, faces| SurfaceRef { body, faces };
         let steel = Isotropic::new(2.1e5, 0.3).unwrap();
         let mut model = Model::new("a face cut in two");
         for (body, low) in [("upper", 1.0), ("lower", 0.0)] {
@@ -212,32 +206,25 @@ fn a_face_cut_in_two_carries_what_it_did_in_one_piece() {
             assert!(!left.is_empty() && !right.is_empty());
             mesh.face_sets.insert("left".into(), left);
             mesh.face_sets.insert("right".into(), right);
-            model.add_body(body, mesh, steel).unwrap();
+            model.add_body(Body::new(body, mesh, steel)).unwrap();
             model
-                .support(None, &[face(body, "x-")], [Some(0.0), None, None])
+                .add_support(Support::new((body, "x-"), [Some(0.0), None, None]))
                 .unwrap();
             model
-                .support(None, &[face(body, "y-")], [None, Some(0.0), None])
+                .add_support(Support::new((body, "y-"), [None, Some(0.0), None]))
                 .unwrap();
         }
         model
-            .support(None, &[face("lower", "z-")], [None, None, Some(0.0)])
+            .add_support(Support::new("lower.z-", [None, None, Some(0.0)]))
             .unwrap();
-        let on = vec![model.resolve(face("upper", "z+")).unwrap()];
-        let value = Field::Constant(PRESSURE);
-        model
-            .add_load(None, LoadKind::Pressure { on, value })
-            .unwrap();
+        let pressure = Pressure::new(PRESSURE);
+        model.add_load(pressure.on("upper.z+")).unwrap();
         for side in ["left", "right"] {
             model
-                .add_contact_as(ContactSpec {
-                    coupling: method,
-                    ..ContactSpec::new(
-                        face("upper", side),
-                        face("lower", side),
-                        FrictionLaw::tresca(0.5),
-                    )
-                })
+                .add_contact(
+                    Contact::new(("upper", side), ("lower", side), FrictionLaw::tresca(0.5))
+                        .coupling(method),
+                )
                 .unwrap();
         }
         let outcome = solved(&model);

@@ -1,7 +1,7 @@
 //! Glued and bilateral surfaces.
 
 use super::support::{assert_close, solved, variant};
-use tresca::{Outcome, Settings, Silent, SurfaceRef};
+use tresca::{Body, Contact, Outcome, Settings, Silent, Support, Traction};
 
 /// Two glued bricks are one brick: the same displacement, node by node.
 #[test]
@@ -23,35 +23,29 @@ fn glued_bricks_are_one_brick() {
         .unwrap()
     };
     let material = tresca::material::Isotropic::new(5.0e4, 0.35).unwrap();
-    let surface = |body, faces| SurfaceRef { body, faces };
     model
-        .add_body("whole", block(0.0, 2.0, 13), material)
+        .add_body(Body::new("whole", block(0.0, 2.0, 13), material))
         .unwrap();
     model
-        .add_body("other", block(-1.0, 0.0, 2), material)
+        .add_body(Body::new("other", block(-1.0, 0.0, 2), material))
         .unwrap();
     model
-        .clamp(surface("whole", "z-"))
-        .unwrap()
-        .clamp(surface("other", "z-"))
+        .add_support(Support::clamp(["whole.z-", "other.z-"]))
         .unwrap();
     model
-        .add_traction(&[surface("whole", "z+")], [0.0, 0.0, -1.0])
+        .add_load(Traction::new([0.0, 0.0, -1.0]).on("whole.z+"))
         .unwrap();
     // The side x = 0 is loaded on its upper half only: by nodal forces through a function.
-    let on = vec![model.resolve(surface("whole", "x-")).unwrap()];
     let value = tresca::model::VectorField::Function(std::sync::Arc::new(|[_, _, z]| {
         [0.0, 0.0, if z > 1.0 { -1.0 } else { 0.0 }]
     }));
+    model.add_load(Traction::new(value).on("whole.x-")).unwrap();
     model
-        .add_load(None, tresca::model::LoadKind::Traction { on, value })
-        .unwrap();
-    model
-        .add_contact(
-            surface("whole", "z-"),
-            surface("other", "z+"),
+        .add_contact(Contact::new(
+            "whole.z-",
+            "other.z+",
             tresca::FrictionLaw::Frictionless,
-        )
+        ))
         .unwrap();
     let whole = tresca::solve_with(&model, &Settings::default(), &mut Silent).unwrap();
     let (upper, lower) = (

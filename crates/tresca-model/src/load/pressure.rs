@@ -1,0 +1,82 @@
+//! Pressures.
+
+use tresca_contact::Field;
+use tresca_fem::loads;
+
+use super::kind::{ActsAsLoad, add};
+use super::region::{Region, Target};
+use crate::amount::{Amount, Shape};
+use crate::body::Bodies;
+use crate::error::ModelError;
+
+/// A force per area against the surface; positive presses on the body.
+#[derive(Debug, Clone)]
+pub struct Pressure {
+    /// The pressure: a constant, or a function of the undeformed position.
+    pub value: Field,
+}
+
+impl Pressure {
+    /// The same everywhere, or a function of the undeformed position.
+    pub fn new(value: impl Into<Field>) -> Self {
+        let value = value.into();
+        Self { value }
+    }
+}
+
+impl ActsAsLoad for Pressure {
+    fn word(&self) -> &'static str {
+        "pressure"
+    }
+
+    fn value_word(&self) -> &'static str {
+        "the pressure"
+    }
+
+    fn target(&self) -> Target {
+        Target::Surfaces
+    }
+
+    fn shape(&self) -> Shape {
+        Shape::Scalar
+    }
+
+    fn constant(&self) -> Option<Amount> {
+        match self.value {
+            Field::Constant(value) => Some(Amount::Scalar(value)),
+            _ => None,
+        }
+    }
+
+    fn check(&self, _: &Region, _: &Bodies) -> Result<(), ModelError> {
+        match self.value {
+            Field::Values(_) => Err(ModelError::PressureByValues),
+            _ => Ok(()),
+        }
+    }
+
+    fn add_forces(
+        &self,
+        on: &Region,
+        bodies: &Bodies,
+        body: usize,
+        amount: Amount,
+        forces: &mut [f64],
+    ) {
+        let own = |x| match &self.value {
+            Field::Constant(value) => *value,
+            Field::Function(function) => function(x),
+            // `check` refuses it.
+            Field::Values(_) => f64::NAN,
+        };
+        let (factor, value) = match amount {
+            Amount::Factor(factor) => (factor, None),
+            value => (1.0, Some(value.of_scalar(0.0))),
+        };
+        for surface in on.surfaces_of(body) {
+            let pressure = |x| value.unwrap_or_else(|| own(x));
+            let (mesh, faces) = (&bodies[body].mesh, bodies.faces(surface));
+            add(factor, &loads::pressure_field(mesh, faces, pressure), forces);
+        }
+    }
+}
