@@ -26,6 +26,7 @@
 #![allow(clippy::needless_range_loop)]
 
 pub mod assembly;
+pub mod constraints;
 pub mod dofs;
 pub mod element;
 mod error;

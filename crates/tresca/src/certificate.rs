@@ -113,7 +113,7 @@ pub fn certify(model: &Model, assembled: &Assembled, candidate: &Candidate<'_>) 
     let layout = &assembled.layout;
     let mut elastic = ElasticSums::default();
     for (index, system) in assembled.bodies.iter().enumerate() {
-        let u = system.dofs.restrict(&candidate.displacements[index]);
+        let u = system.dofs.free_part(&candidate.displacements[index]);
         let f = &candidate.acting.free_loads[index];
         let contact = system
             .dofs
@@ -173,7 +173,7 @@ fn balance(
     };
     let forces: f64 = parts.iter().map(|part| nodes(part)).sum();
     let mut rigid = system.stiffness.diagonal();
-    let u = system.dofs.restrict(&candidate.displacements[index]);
+    let u = system.dofs.free_part(&candidate.displacements[index]);
     rigid.iter_mut().zip(&u).for_each(|(k, u)| *k *= u);
     let rounding = ROUNDING_OF_FORCES * nodes(&system.dofs.expand(&rigid));
     let magnitude = scale(forces.max(rounding));

@@ -42,11 +42,13 @@ pub(crate) fn nodal_reactions(
         body.formulation,
         &displacements[index],
     )?;
-    let mut reaction = vec![0.0; internal.len()];
-    for dof in assembled.bodies[index].dofs.prescribed() {
-        reaction[dof] = internal[dof] - load[dof] - contact[dof];
-    }
-    Ok(reaction)
+    let acting = load.iter().zip(&contact);
+    let left: Vec<f64> = internal
+        .iter()
+        .zip(acting)
+        .map(|(internal, (load, contact))| internal - load - contact)
+        .collect();
+    Ok(assembled.bodies[index].dofs.support_forces(&left))
 }
 
 /// The reactions, support by support. What two supports hold together counts for the first of them.

@@ -112,12 +112,12 @@ fn add_forces(space: Space, stress: [f64; 6], gradients: &[[f64; 3]], forces: &m
     }
 }
 
-/// Right-hand side over the free dofs, f_f − K_fc u_c: the free part of the load minus the forces
-/// that the prescribed displacements cause.
+/// Right-hand side over the free dofs, Cᵀ(f − K u⁰), without equations f_f − K_fc u_c: the free part of the
+/// load minus the forces that the prescribed displacements cause.
 ///
 /// `load` and `prescribed` are full vectors; of `prescribed` (see
-/// [`crate::supports::Supports::values`]) only the entries at prescribed dofs are read. When all of
-/// them are zero this is the restriction of the load.
+/// [`crate::supports::Supports::values`]) only the entries at prescribed dofs are read. When u⁰ is
+/// zero this is the restriction of the load.
 ///
 /// # Errors
 /// As [`internal_forces`].
@@ -133,13 +133,12 @@ pub fn reduced_load(
     prescribed: &[f64],
 ) -> Result<Vec<f64>, FemError> {
     let mut free = dofs.restrict(load);
-    let mut u = vec![0.0; dofs.full_len()];
-    for dof in dofs.prescribed() {
-        u[dof] = prescribed[dof];
-    }
+    let mut u = dofs.offset(prescribed);
     if u.iter().any(|&x| x != 0.0) {
-        let forces = dofs.restrict(&internal_forces(mesh, material, formulation, &u)?);
-        for (f, force) in free.iter_mut().zip(forces) {
+        u.truncate(mesh.dof_count());
+        let mut forces = internal_forces(mesh, material, formulation, &u)?;
+        forces.resize(dofs.full_len(), 0.0);
+        for (f, force) in free.iter_mut().zip(dofs.restrict(&forces)) {
             *f -= force;
         }
     }
