@@ -53,10 +53,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         assembly::stiffness(&mesh, &material, Formulation::Full, &dofs).map(drop)
     })?;
     report("internal forces", || {
-        assembly::internal_forces(&mesh, &material, Formulation::Full, &u).map(drop)
+        assembly::internal_forces(&mesh, &material, Formulation::Full, &u, None).map(drop)
     })?;
     report("stress recovery", || {
-        std::hint::black_box(stress::recover(&mesh, &material, Formulation::Full, &u));
+        std::hint::black_box(stress::recover(
+            &mesh,
+            &material,
+            Formulation::Full,
+            &u,
+            None,
+        ));
         Ok::<(), FemError>(())
     })?;
     report("mesh", || brick(&spec)?.with_cells(kind).map(drop))?;

@@ -362,14 +362,19 @@ pub enum FemError {
         distance: f64,
     },
     /// An initial strain for another mesh, or of values that are no numbers.
-    #[error("an initial strain needs {expected} finite values, one per {per}, found {found}")]
+    #[error(
+        "an initial strain needs {expected} values, one per {per}, all finite; found {given}, of which \
+         {finite} are finite"
+    )]
     InitialStrain {
         /// What there is one value for.
         per: &'static str,
         /// Number of values expected.
         expected: usize,
-        /// Number of finite values found.
-        found: usize,
+        /// Number of values given.
+        given: usize,
+        /// How many of them are finite.
+        finite: usize,
     },
 }
 

@@ -30,6 +30,7 @@ pub mod constraints;
 pub mod dofs;
 pub mod element;
 mod error;
+pub mod initial_strain;
 pub mod loads;
 pub mod material;
 pub mod mesh;

@@ -41,6 +41,7 @@ pub(crate) fn nodal_reactions(
         &body.material,
         body.formulation,
         &displacements[index],
+        None,
     )?;
     let acting = load.iter().zip(&contact);
     let left: Vec<f64> = internal

@@ -21,9 +21,9 @@ mod strain;
 mod sum;
 
 pub use formulation::Formulation;
-pub(crate) use formulation::mean_gradients;
-pub use internal::{internal_forces, reduced_load};
-pub(crate) use strain::{strain, with_dilatation};
+pub(crate) use formulation::{mean_dilatation, mean_gradients};
+pub use internal::{initial_strain_load, internal_forces, reduced_load};
+pub(crate) use strain::{elastic, strain, with_dilatation};
 pub(crate) use sum::sum_of_columns;
 
 use crate::FemError;

@@ -14,3 +14,4 @@ mod locking;
 mod patch;
 mod plane;
 mod stiffness;
+mod thermal;

@@ -94,7 +94,8 @@ pub fn check(mesh: &Mesh, supports: &Supports, equations: &[Equation]) -> DofMap
     assert_eq!(k.order(), free);
     let action = |u: &[f64]| {
         let of_mesh = &u[..mesh.dof_count()];
-        let mut forces = internal_forces(mesh, &material, Formulation::Full, of_mesh).unwrap();
+        let mut forces =
+            internal_forces(mesh, &material, Formulation::Full, of_mesh, None).unwrap();
         forces.resize(full, 0.0);
         forces
     };
