@@ -46,8 +46,8 @@ pub fn couple_node_by_node(
         }
         let free = std::array::from_fn(|component| {
             component < slave.mesh.dimension()
-                && (slave.dofs.free(node.node, component).is_some()
-                    || master.dofs.free(partner.node, component).is_some())
+                && (slave.dofs.moves(node.node, component)
+                    || master.dofs.moves(partner.node, component))
         });
         if free == [false; 3] {
             held_pairs += 1;

@@ -1,5 +1,6 @@
 //! The one error type of the crate.
 
+use crate::constraints::Dof;
 use crate::mesh::{CellKind, Space};
 
 /// What can be wrong with a mesh, a material, a support or a load.
@@ -263,6 +264,141 @@ pub enum FemError {
         /// Components per node.
         components: usize,
     },
+    /// An equation that cannot be read as one.
+    #[error("equation {equation} is none: {what}")]
+    InvalidEquation {
+        /// Number of the equation.
+        equation: usize,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// The dependent dof of an equation is held by a support.
+    #[error(
+        "equation {equation} is to determine {dof}, which a support holds; put another of its dofs first"
+    )]
+    DependentHeld {
+        /// Number of the equation.
+        equation: usize,
+        /// Its dependent dof.
+        dof: Dof,
+    },
+    /// Two equations have the same dependent dof.
+    #[error(
+        "equations {} and {} are both to determine {dof}; put another dof first in one of them",
+        equations[0], equations[1]
+    )]
+    DependentTwice {
+        /// Numbers of the equations.
+        equations: [usize; 2],
+        /// The dependent dof of both.
+        dof: Dof,
+    },
+    /// Equations refer to each other such that a dependent dof drops out.
+    #[error(
+        "equation {equation}, between {}, does not determine {} any more once {} put in: they refer to \
+         each other in a circle; put another dof first",
+        listed(dofs), dofs[0], equations_are(others)
+    )]
+    EquationCircle {
+        /// Number of the equation.
+        equation: usize,
+        /// Its dofs, the dependent one first.
+        dofs: Vec<Dof>,
+        /// Numbers of the equations that it was combined with.
+        others: Vec<usize>,
+    },
+    /// An equation that others, or supports, imply.
+    #[error(
+        "equation {equation}, between {}, says nothing new once {} put in and supports hold what they hold",
+        listed(dofs),
+        equations_are(others)
+    )]
+    RedundantEquation {
+        /// Number of the equation.
+        equation: usize,
+        /// Its dofs, the dependent one first.
+        dofs: Vec<Dof>,
+        /// Numbers of the equations that imply it.
+        others: Vec<usize>,
+    },
+    /// An equation that others, or supports, contradict.
+    #[error(
+        "equation {equation}, between {}, cannot hold once {} put in and supports hold what they hold: \
+         its two sides differ by {excess:.3e}",
+        listed(dofs),
+        equations_are(others)
+    )]
+    ContradictoryEquation {
+        /// Number of the equation.
+        equation: usize,
+        /// Its dofs, the dependent one first.
+        dofs: Vec<Dof>,
+        /// Numbers of the equations that contradict it.
+        others: Vec<usize>,
+        /// Left side minus right side.
+        excess: f64,
+    },
+    /// Nodes that cannot carry a coupling.
+    #[error("the coupling of {nodes} nodes {what}")]
+    Coupling {
+        /// Number of nodes given.
+        nodes: usize,
+        /// What is wrong.
+        what: &'static str,
+    },
+    /// Two nodes that are to be tied do not lie where the symmetry puts them.
+    #[error(
+        "node {node} lies {distance:.3e} away from where the symmetry puts node {partner}, {}",
+        place(expected)
+    )]
+    NotImages {
+        /// The dependent node.
+        node: usize,
+        /// The node that it is tied to.
+        partner: usize,
+        /// The image of the partner.
+        expected: [f64; 3],
+        /// How far the node is from there.
+        distance: f64,
+    },
+    /// An initial strain for another mesh, or of values that are no numbers.
+    #[error(
+        "an initial strain needs {expected} values, one per {per}, all finite; found {given}, of which \
+         {finite} are finite"
+    )]
+    InitialStrain {
+        /// What there is one value for.
+        per: &'static str,
+        /// Number of values expected.
+        expected: usize,
+        /// Number of values given.
+        given: usize,
+        /// How many of them are finite.
+        finite: usize,
+    },
+}
+
+/// The first dofs of a list.
+fn listed(dofs: &[Dof]) -> String {
+    const SHOWN: usize = 4;
+    let shown: Vec<String> = dofs.iter().take(SHOWN).map(Dof::to_string).collect();
+    let rest = dofs.len().saturating_sub(SHOWN);
+    let more = if rest > 0 {
+        format!(" and {rest} more")
+    } else {
+        String::new()
+    };
+    format!("{}{more}", shown.join(", "))
+}
+
+/// "equation 3 is", "equations 1, 2 are", "no other is".
+fn equations_are(numbers: &[usize]) -> String {
+    let names: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match numbers.len() {
+        0 => "no other is".to_owned(),
+        1 => format!("equation {} is", names[0]),
+        _ => format!("equations {} are", names.join(", ")),
+    }
 }
 
 /// What to do about cells without a B-bar formulation.

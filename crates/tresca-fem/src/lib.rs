@@ -26,9 +26,11 @@
 #![allow(clippy::needless_range_loop)]
 
 pub mod assembly;
+pub mod constraints;
 pub mod dofs;
 pub mod element;
 mod error;
+pub mod initial_strain;
 pub mod loads;
 pub mod material;
 pub mod mesh;

@@ -24,6 +24,16 @@ impl Supports {
         self.components
     }
 
+    /// Number of full dofs.
+    pub fn len(&self) -> usize {
+        self.prescribed.len()
+    }
+
+    /// Are there no dofs at all?
+    pub fn is_empty(&self) -> bool {
+        self.prescribed.is_empty()
+    }
+
     /// Number of nodes.
     pub fn node_count(&self) -> usize {
         self.prescribed.len() / self.components

@@ -328,15 +328,14 @@ fn body_contact(model: &Model, contacts: &[ContactData], body: usize, columns: u
     rows.finish(columns)
 }
 
-/// diag(weights) B on the free dofs.
+/// diag(weights) B C on the free dofs.
 fn weighted_free_part(contact: &Coupling, dofs: &DofMap, weights: &[f64]) -> Coupling {
     let mut rows = RowStack::default();
     for (row, weight) in weights.iter().enumerate() {
-        rows.extend(
-            contact
-                .row(row)
-                .filter_map(|(column, value)| Some((dofs.free_of_full(column)?, weight * value))),
-        );
+        let weighted = contact
+            .row(row)
+            .map(|(column, value)| (column, weight * value));
+        rows.extend(dofs.restrict_row(weighted).into_iter());
         rows.end_row();
     }
     rows.finish(dofs.free_len())

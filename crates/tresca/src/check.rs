@@ -186,10 +186,7 @@ fn body_check((body, dofs): (&Body, &DofMap)) -> BodyCheck {
 
 /// For each node the held components: 1 for x, 2 for y, 4 for z.
 fn held_mask((body, dofs): (&Body, &DofMap)) -> Vec<u8> {
-    let bit = |node, component: usize| match dofs.free(node, component) {
-        Some(_) => 0,
-        None => 1 << component,
-    };
+    let bit = |node, component: usize| u8::from(!dofs.moves(node, component)) << component;
     let components = body.mesh.dimension();
     (0..body.mesh.node_count())
         .map(|node| (0..components).map(|component| bit(node, component)).sum())

@@ -6,7 +6,7 @@
 //! the forces in C vanish (docs/theory.md, "Floating bodies").
 
 use tresca_fem::dofs::DofMap;
-use tresca_fem::rigid::{self, FreeMotion, Grounding, RigidMotion};
+use tresca_fem::rigid::{self, FreeMotion, Grounding};
 use tresca_la::vector::dot;
 use tresca_qcqp::operator::Coupling;
 
@@ -70,29 +70,14 @@ pub struct UnresistedMotion {
 fn combined(motions: &[FreeMotion], amounts: &[f64], radius: f64) -> Vec<FreeMotion> {
     let mut sums: Vec<FreeMotion> = Vec::new();
     for (motion, amount) in motions.iter().zip(amounts) {
-        let RigidMotion {
-            translation,
-            rotation,
-            ..
-        } = motion.motion;
         // All motions of a part have the same centre.
         match sums.iter_mut().find(|sum| sum.part == motion.part) {
-            Some(sum) => {
-                for k in 0..3 {
-                    sum.motion.translation[k] += amount * translation[k];
-                    sum.motion.rotation[k] += amount * rotation[k];
-                }
-            }
-            None => {
-                let mut first = motion.clone();
-                first.motion.translation = translation.map(|t| amount * t);
-                first.motion.rotation = rotation.map(|t| amount * t);
-                sums.push(first);
-            }
+            Some(sum) => sum.add(*amount, motion),
+            None => sums.push(motion.scaled(*amount)),
         }
     }
     // A translation with rounding in its rotation is a translation, and the other way round.
-    for FreeMotion { motion, .. } in &mut sums {
+    for motion in sums.iter_mut().flat_map(FreeMotion::rigid_motions_mut) {
         let turn = radius * length(motion.rotation);
         let shift = length(motion.translation);
         if turn < VISIBLE * shift {

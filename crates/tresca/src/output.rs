@@ -91,7 +91,9 @@ impl Destination {
                 .bodies()
                 .par_iter()
                 .zip(&step.displacements)
-                .map(|(body, u)| stress::recover(&body.mesh, &body.material, body.formulation, u))
+                .map(|(body, u)| {
+                    stress::recover(&body.mesh, &body.material, body.formulation, u, None)
+                })
                 .collect();
             for (index, (body, stress)) in model.bodies().iter().zip(&stresses).enumerate() {
                 stage(&body.name, &|out| {

@@ -31,12 +31,20 @@ pub(crate) fn nodal_reactions(
     load: &[f64],
     contact: &[f64],
 ) -> Result<Vec<f64>, FemError> {
-    let internal = internal_forces(&body.mesh, &body.material, body.formulation, displacement)?;
-    let mut reaction = vec![0.0; internal.len()];
-    for dof in dofs.prescribed() {
-        reaction[dof] = internal[dof] - load[dof] - contact[dof];
-    }
-    Ok(reaction)
+    let internal = internal_forces(
+        &body.mesh,
+        &body.material,
+        body.formulation,
+        displacement,
+        None,
+    )?;
+    let acting = load.iter().zip(contact);
+    let left: Vec<f64> = internal
+        .iter()
+        .zip(acting)
+        .map(|(internal, (load, contact))| internal - load - contact)
+        .collect();
+    Ok(dofs.support_forces(&left))
 }
 
 /// The reactions, support by support. What two supports hold together counts for the first of them.

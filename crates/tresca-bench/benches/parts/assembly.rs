@@ -26,11 +26,12 @@ pub fn run(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
         });
         group.bench_function(BenchmarkId::new("internal forces", &name), |bencher| {
             bencher.iter(|| {
-                assembly::internal_forces(mesh, material, Formulation::Full, black_box(&u))
+                assembly::internal_forces(mesh, material, Formulation::Full, black_box(&u), None)
             });
         });
         group.bench_function(BenchmarkId::new("stress recovery", &name), |bencher| {
-            bencher.iter(|| stress::recover(mesh, material, Formulation::Full, black_box(&u)));
+            bencher
+                .iter(|| stress::recover(mesh, material, Formulation::Full, black_box(&u), None));
         });
     }
     group.finish();

@@ -85,7 +85,7 @@ impl<'a> SlaveSurface<'a> {
 /// Which components of a node can move.
 pub(crate) fn free(side: Side<'_>, node: usize) -> [bool; 3] {
     std::array::from_fn(|component| {
-        component < side.mesh.dimension() && side.dofs.free(node, component).is_some()
+        component < side.mesh.dimension() && side.dofs.moves(node, component)
     })
 }
 

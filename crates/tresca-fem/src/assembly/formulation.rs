@@ -1,7 +1,7 @@
 //! How strains are made of displacements, and when that locks.
 
 use crate::FemError;
-use crate::element::{ShapeTable, physical_gradients};
+use crate::element::{ShapeTable, measure, physical_gradients};
 use crate::material::Isotropic;
 use crate::mesh::{CellKind, Mesh, Space};
 use std::fmt;
@@ -120,6 +120,22 @@ pub(crate) fn mean_gradients(
         *x /= volume;
     }
     Some(())
+}
+
+/// The mean volume change over a cell of a strain given at the points of the rule.
+pub(crate) fn mean_dilatation(
+    space: Space,
+    table: &ShapeTable,
+    points: &[[f64; 3]],
+    strain: impl Fn(usize) -> [f64; 6],
+) -> f64 {
+    let (mut sum, mut volume) = (0.0, 0.0);
+    for q in 0..table.len() {
+        let weight = table.weights[q] * measure(space, table, q, points);
+        volume += weight;
+        sum += weight * strain(q)[..3].iter().sum::<f64>();
+    }
+    sum / volume
 }
 
 #[cfg(test)]

@@ -1,18 +1,21 @@
 //! Internal forces of a displacement: the action of the whole K, without the matrix.
 
-use super::strain::{nodal_force, strain, with_dilatation};
-use super::{Elastic, Formulation, mean_gradients};
+use super::Elastic;
+use super::formulation::{Formulation, mean_dilatation, mean_gradients};
+use super::strain::{elastic, nodal_force, strain, with_dilatation};
 use crate::FemError;
 use crate::dofs::DofMap;
 use crate::element::{ShapeTable, physical_gradients};
+use crate::initial_strain::InitialStrain;
 use crate::material::Isotropic;
 use crate::mesh::{CellBlock, Mesh, Space, gather_points};
 use rayon::prelude::*;
 
-/// K u over *all* dofs, prescribed ones included, for a displacement `u` over the full dofs.
+/// ∫ Bᵀσ dΩ over *all* dofs, prescribed ones included, for a displacement `u` over the full dofs: K u without
+/// an initial strain, K u less [`initial_strain_load`] with one.
 ///
 /// At a prescribed dof, `(K u − f)` is the force that the support exerts on the body. uᵀ(K u)/2 is
-/// the strain energy.
+/// the strain energy (without an initial strain).
 ///
 /// # Errors
 /// As [`super::stiffness`].
@@ -24,6 +27,7 @@ pub fn internal_forces(
     material: &Isotropic,
     formulation: Formulation,
     u: &[f64],
+    initial: Option<&InitialStrain>,
 ) -> Result<Vec<f64>, FemError> {
     material.check_space(mesh.space)?;
     formulation.check(mesh, material)?;
@@ -33,7 +37,7 @@ pub fn internal_forces(
     let mut first = 0;
     for block in &mesh.cells {
         // Cells in parallel, then added up in their order.
-        let of_cells = forces_of_block(mesh, block, first, (material, formulation), u)?;
+        let of_cells = forces_of_block(mesh, block, first, (material, formulation), u, initial)?;
         let width = block.kind.node_count();
         for (nodes, of_cell) in block.cells().zip(of_cells.chunks_exact(width)) {
             for (&node, force) in nodes.iter().zip(of_cell) {
@@ -54,6 +58,7 @@ fn forces_of_block(
     first: usize,
     (material, formulation): Elastic<'_>,
     u: &[f64],
+    initial: Option<&InitialStrain>,
 ) -> Result<Vec<[f64; 3]>, FemError> {
     let space = mesh.space;
     let table = ShapeTable::stiffness(block.kind);
@@ -68,15 +73,23 @@ fn forces_of_block(
             |[points, gradients, mean], (local, (forces, nodes))| {
                 gather_points(mesh, nodes, points);
                 let b_bar = formulation == Formulation::BBar;
+                let cell = first + local;
                 let mut dilatation = 0.0;
                 if b_bar {
-                    mean_gradients(space, &table, points, gradients, mean).ok_or(first + local)?;
+                    mean_gradients(space, &table, points, gradients, mean).ok_or(cell)?;
                     dilatation = strain(space, nodes, mean, u)[..3].iter().sum();
+                    if let Some(initial) = initial {
+                        let of_point = |q| initial.at(cell, nodes, table.values(q));
+                        dilatation -= mean_dilatation(space, &table, points, of_point);
+                    }
                 }
                 for q in 0..table.len() {
-                    let measure = physical_gradients(space, &table, q, points, gradients)
-                        .ok_or(first + local)?;
+                    let measure =
+                        physical_gradients(space, &table, q, points, gradients).ok_or(cell)?;
                     let mut e = strain(space, nodes, gradients, u);
+                    if let Some(initial) = initial {
+                        e = elastic(e, initial.at(cell, nodes, table.values(q)));
+                    }
                     if b_bar {
                         e = with_dilatation(e, dilatation);
                     }
@@ -112,12 +125,28 @@ fn add_forces(space: Space, stress: [f64; 6], gradients: &[[f64; 3]], forces: &m
     }
 }
 
-/// Right-hand side over the free dofs, f_f − K_fc u_c: the free part of the load minus the forces
-/// that the prescribed displacements cause.
+/// ∫ Bᵀ D ε⁰ dΩ over the full dofs: the load that an initial strain is for the displacement, K u = f + this.
+///
+/// # Errors
+/// As [`internal_forces`].
+pub fn initial_strain_load(
+    mesh: &Mesh,
+    material: &Isotropic,
+    formulation: Formulation,
+    initial: &InitialStrain,
+) -> Result<Vec<f64>, FemError> {
+    let at_rest = vec![0.0; mesh.dof_count()];
+    let mut load = internal_forces(mesh, material, formulation, &at_rest, Some(initial))?;
+    load.iter_mut().for_each(|f| *f = -*f);
+    Ok(load)
+}
+
+/// Right-hand side over the free dofs, Cᵀ(f − K u⁰), without equations f_f − K_fc u_c: the free part of the
+/// load minus the forces that the prescribed displacements cause.
 ///
 /// `load` and `prescribed` are full vectors; of `prescribed` (see
-/// [`crate::supports::Supports::values`]) only the entries at prescribed dofs are read. When all of
-/// them are zero this is the restriction of the load.
+/// [`crate::supports::Supports::values`]) only the entries at prescribed dofs are read. When u⁰ is
+/// zero this is the restriction of the load.
 ///
 /// # Errors
 /// As [`internal_forces`].
@@ -133,13 +162,12 @@ pub fn reduced_load(
     prescribed: &[f64],
 ) -> Result<Vec<f64>, FemError> {
     let mut free = dofs.restrict(load);
-    let mut u = vec![0.0; dofs.full_len()];
-    for dof in dofs.prescribed() {
-        u[dof] = prescribed[dof];
-    }
+    let mut u = dofs.offset(prescribed);
     if u.iter().any(|&x| x != 0.0) {
-        let forces = dofs.restrict(&internal_forces(mesh, material, formulation, &u)?);
-        for (f, force) in free.iter_mut().zip(forces) {
+        u.truncate(mesh.dof_count());
+        let mut forces = internal_forces(mesh, material, formulation, &u, None)?;
+        forces.resize(dofs.full_len(), 0.0);
+        for (f, force) in free.iter_mut().zip(dofs.restrict(&forces)) {
             *f -= force;
         }
     }

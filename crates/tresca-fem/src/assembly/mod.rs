@@ -13,21 +13,25 @@
 //! number of ranges or threads, bit for bit.
 
 mod columns;
+mod constrained;
 mod formulation;
 mod internal;
 mod kernel;
 mod strain;
+mod sum;
 
 pub use formulation::Formulation;
-pub(crate) use formulation::mean_gradients;
-pub use internal::{internal_forces, reduced_load};
-pub(crate) use strain::{strain, with_dilatation};
+pub(crate) use formulation::{mean_dilatation, mean_gradients};
+pub use internal::{initial_strain_load, internal_forces, reduced_load};
+pub(crate) use strain::{elastic, strain, with_dilatation};
+pub(crate) use sum::sum_of_columns;
 
 use crate::FemError;
 use crate::dofs::DofMap;
 use crate::material::Isotropic;
 use crate::mesh::{CellBlock, CellKind, Mesh};
 use columns::{ColumnRange, ColumnValues};
+use constrained::constrained;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use kernel::Kernel;
 use rayon::prelude::*;
@@ -37,7 +41,7 @@ use tresca_la::SymmetricMatrix;
 /// Ranges per thread: enough to even out the load, few enough to integrate few cells twice.
 const RANGES_PER_THREAD: usize = 4;
 
-/// The stiffness matrix of a body over its free dofs: force per length, MN/m for m and MPa; in the
+/// The stiffness matrix of a body over its free dofs, CᵀKC where there are equations: force per length, MN/m for m and MPa; in the
 /// plane also per thickness; in an axisymmetric space that of the full circumference.
 ///
 /// Symmetric, positive semidefinite; definite when the supports leave no rigid motion (see
@@ -58,11 +62,22 @@ pub fn stiffness(
 ) -> Result<SymmetricMatrix, FemError> {
     material.check_space(mesh.space)?;
     formulation.check(mesh, material)?;
-    assert_eq!(
-        dofs.full_len(),
-        mesh.dof_count(),
-        "the dof map belongs to another mesh"
-    );
+    let full = mesh.dof_count();
+    if dofs.has_equations() && dofs.full_len() >= full {
+        let kept = dofs.without_equations(full);
+        let stiffness = of_free_dofs(mesh, (material, formulation), &kept)?;
+        return Ok(constrained(&stiffness, &kept, dofs));
+    }
+    assert_eq!(dofs.full_len(), full, "the dof map belongs to another mesh");
+    of_free_dofs(mesh, (material, formulation), dofs)
+}
+
+/// K over the dofs that are free when there are no equations.
+fn of_free_dofs(
+    mesh: &Mesh,
+    (material, formulation): Elastic<'_>,
+    dofs: &DofMap,
+) -> Result<SymmetricMatrix, FemError> {
     let incidence = mesh.incidence();
     let ranges: Vec<ColumnRange> =
         node_ranges(mesh.node_count(), |node| incidence.cells_at(node).len())

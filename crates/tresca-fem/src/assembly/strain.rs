@@ -28,6 +28,12 @@ pub(crate) fn strain(space: Space, nodes: &[usize], gradients: &[[f64; 3]], u: &
     e
 }
 
+/// What of a strain is elastic: all but the initial one.
+#[inline]
+pub(crate) fn elastic(strain: [f64; 6], initial: [f64; 6]) -> [f64; 6] {
+    std::array::from_fn(|k| strain[k] - initial[k])
+}
+
 /// The B-bar strain: the volume change of `strain` replaced by the given one.
 #[inline]
 pub(crate) fn with_dilatation(mut strain: [f64; 6], dilatation: f64) -> [f64; 6] {

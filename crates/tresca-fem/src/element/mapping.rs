@@ -76,6 +76,12 @@ pub(crate) fn inverse_jacobian<const D: usize>(
     }
 }
 
+/// det J times the circumference at point q of a cell that is not inside out.
+pub(crate) fn measure(space: Space, table: &ShapeTable, q: usize, points: &[[f64; 3]]) -> f64 {
+    let (determinant, _) = orientation(space.dimension(), table.gradients(q), points);
+    determinant * space.circumference(interpolate(table.values(q), points))
+}
+
 /// ∇φ_a in physical coordinates at point q, written to `physical`, and det J times the circumference
 /// there: what a reference weight is multiplied by. `None` where det J is not positive.
 ///

@@ -31,7 +31,7 @@ pub use hex20::Hex20;
 pub use hex27::Hex27;
 pub use line2::Line2;
 pub use line3::Line3;
-pub(crate) use mapping::{Orientation, inverse_jacobian, orientation, physical_gradients};
+pub(crate) use mapping::{Orientation, inverse_jacobian, measure, orientation, physical_gradients};
 pub use quad4::Quad4;
 pub use quad8::Quad8;
 pub use quad9::Quad9;

@@ -19,7 +19,7 @@ mod elevate;
 mod geometry;
 mod grid;
 mod kind;
-mod parts;
+pub(crate) mod parts;
 mod quality;
 mod rectangle;
 mod space;

@@ -45,7 +45,7 @@ impl Mesh {
 }
 
 /// The root of a node's tree; shortens the way there by halving it.
-fn find(parent: &mut [usize], mut node: usize) -> usize {
+pub(crate) fn find(parent: &mut [usize], mut node: usize) -> usize {
     while parent[node] != node {
         parent[node] = parent[parent[node]];
         node = parent[node];

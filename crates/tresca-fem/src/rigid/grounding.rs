@@ -1,11 +1,12 @@
 //! A generalised inverse of a singular stiffness matrix by a support that changes nothing.
 
 use super::FreeMotion;
+use crate::assembly::sum_of_columns;
 use crate::dofs::DofMap;
 use crate::material::Isotropic;
 use crate::mesh::{Mesh, Space};
 use crate::tensor::{dot, sub, symmetric_eigen};
-use faer::sparse::{SparseColMat, SymbolicSparseColMat};
+use faer::{Mat, Side};
 use tresca_la::SymmetricMatrix;
 
 /// Most of the preferred nodes of a part that carry the support: it couples their dofs with each
@@ -110,7 +111,7 @@ impl Grounding {
         }
         let r = motions
             .iter()
-            .map(|motion| dofs.restrict(&motion.displacement(mesh)))
+            .map(|motion| dofs.free_part(&motion.displacement(mesh)))
             .collect();
         Self {
             dofs: grounded,
@@ -132,29 +133,14 @@ impl Grounding {
         );
         let lower = k.lower();
         let coupled = self.dofs.len() * (self.dofs.len() + 1) / 2;
-        let entries = lower.compute_nnz() + coupled;
-        let (mut rows, mut values) = (Vec::with_capacity(entries), Vec::with_capacity(entries));
-        let mut starts = Vec::with_capacity(n + 1);
-        starts.push(0);
-        for j in 0..n {
-            let mut added = self.column_below_diagonal(j).peekable();
-            for (i, &value) in lower.row_idx_of_col(j).zip(lower.val_of_col(j)) {
-                while let Some((row, extra)) = added.next_if(|&(row, _)| row < i) {
-                    rows.push(row);
-                    values.push(extra);
-                }
-                let extra = added.next_if(|&(row, _)| row == i);
-                rows.push(i);
-                values.push(value + extra.map_or(0.0, |(_, extra)| extra));
-            }
-            for (row, extra) in added {
-                rows.push(row);
-                values.push(extra);
-            }
-            starts.push(rows.len());
-        }
-        let pattern = SymbolicSparseColMat::new_checked(n, n, starts, None, rows);
-        SymmetricMatrix::from_lower(SparseColMat::new(pattern, values))
+        let column = |j| {
+            lower
+                .row_idx_of_col(j)
+                .zip(lower.val_of_col(j).iter().copied())
+        };
+        sum_of_columns(n, lower.compute_nnz() + coupled, column, |j| {
+            self.column_below_diagonal(j)
+        })
     }
 
     /// Rows and values of column j of C Cᵀ from the diagonal downwards, zeros (of other parts) left
@@ -191,10 +177,14 @@ impl PartSupport {
         columns: Vec<usize>,
         preferred: &[usize],
     ) -> Self {
+        let of_part = || columns.iter().map(|&k| &motions[k]);
+        let mut beyond: Vec<usize> = of_part().flat_map(FreeMotion::moving_beyond).collect();
+        beyond.sort_unstable();
+        beyond.dedup();
         let part = Sight {
-            mesh,
             dofs,
-            motions: columns.iter().map(|&k| &motions[k]).collect(),
+            motions: of_part().map(|motion| motion.displacement(mesh)).collect(),
+            beyond: beyond.into_iter().map(|k| mesh.dof_count() + k).collect(),
         };
         let has_free = |node: &usize| (0..dofs.components()).any(|i| dofs.free(*node, i).is_some());
         let of_part = motions[columns[0]].nodes();
@@ -250,25 +240,31 @@ fn length(mesh: &Mesh, nodes: &[usize]) -> f64 {
 
 /// How well some nodes see the motions of a part.
 struct Sight<'a> {
-    mesh: &'a Mesh,
     dofs: &'a DofMap,
-    motions: Vec<&'a FreeMotion>,
+    /// Over the full dofs.
+    motions: Vec<Vec<f64>>,
+    /// Full dofs beyond the mesh that see motions, too; they count whatever the nodes are.
+    beyond: Vec<usize>,
 }
 
 impl Sight<'_> {
     /// The free dofs of some nodes, and the motions there, by motion.
     fn restrict(&self, nodes: &[usize]) -> (Vec<usize>, Vec<Vec<f64>>) {
+        let components = self.dofs.components();
+        let of_nodes = nodes
+            .iter()
+            .flat_map(|&node| (0..components).map(move |i| (node, i)));
+        let of_nodes = of_nodes.map(|(node, i)| self.dofs.full(node, i));
+        let full = of_nodes.chain(self.beyond.iter().copied());
         let mut free = Vec::new();
         let mut restricted = vec![Vec::new(); self.motions.len()];
-        for &node in nodes {
-            for component in 0..self.dofs.components() {
-                let Some(dof) = self.dofs.free(node, component) else {
-                    continue;
-                };
-                free.push(dof);
-                for (column, motion) in restricted.iter_mut().zip(&self.motions) {
-                    column.push(motion.motion.at(self.mesh.points[node])[component]);
-                }
+        for full in full {
+            let Some(dof) = self.dofs.free_of_full(full) else {
+                continue;
+            };
+            free.push(dof);
+            for (column, motion) in restricted.iter_mut().zip(&self.motions) {
+                column.push(motion[full]);
             }
         }
         (free, restricted)
@@ -281,18 +277,26 @@ impl Sight<'_> {
         if free.is_empty() {
             return 0.0;
         }
-        // There are at most six motions of a part; unused rows must not be the smallest.
-        let mut gram = [[0.0; 6]; 6];
-        for (k, row) in gram.iter_mut().enumerate() {
-            row[k] = f64::MAX.sqrt();
-        }
-        for (k, left) in restricted.iter().enumerate() {
-            for (l, right) in restricted.iter().enumerate() {
-                gram[k][l] = tresca_la::vector::dot(left, right);
+        let product = |k: usize, l: usize| tresca_la::vector::dot(&restricted[k], &restricted[l]);
+        let least = if restricted.len() <= 6 {
+            // Unused rows must not be the smallest.
+            let mut gram = [[0.0; 6]; 6];
+            for (k, row) in gram.iter_mut().enumerate() {
+                row[k] = f64::MAX.sqrt();
             }
-        }
-        let (values, _) = symmetric_eigen(gram);
-        let least = values.into_iter().fold(f64::INFINITY, f64::min);
+            for k in 0..restricted.len() {
+                for l in 0..restricted.len() {
+                    gram[k][l] = product(k, l);
+                }
+            }
+            let (values, _) = symmetric_eigen(gram);
+            values.into_iter().fold(f64::INFINITY, f64::min)
+        } else {
+            // Parts that equations couple can have more motions than one.
+            let gram = Mat::from_fn(restricted.len(), restricted.len(), product);
+            let values = gram.self_adjoint_eigenvalues(Side::Lower);
+            values.map_or(0.0, |values| values[0])
+        };
         (least.max(0.0) / free.len() as f64).sqrt()
     }
 }

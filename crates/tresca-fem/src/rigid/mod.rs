@@ -1,7 +1,10 @@
 //! Rigid motions: what a body can do without being strained, and what its supports leave of it.
 
+mod coupled;
+mod free;
 mod grounding;
 
+pub use free::FreeMotion;
 pub use grounding::Grounding;
 
 use crate::dofs::DofMap;
@@ -26,6 +29,14 @@ impl RigidMotion {
     pub fn at(&self, point: [f64; 3]) -> [f64; 3] {
         let turned = cross(self.rotation, sub(point, self.center));
         std::array::from_fn(|i| self.translation[i] + turned[i])
+    }
+
+    /// Adds an amount of a motion with the same centre.
+    fn add(&mut self, amount: f64, other: &RigidMotion) {
+        for i in 0..3 {
+            self.translation[i] += amount * other.translation[i];
+            self.rotation[i] += amount * other.rotation[i];
+        }
     }
 
     /// Displacement of all nodes, over the full dofs.
@@ -66,47 +77,6 @@ impl fmt::Display for RigidMotion {
     }
 }
 
-/// A rigid motion of one connected part of a mesh that its supports leave.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FreeMotion {
-    /// Which part moves, counted from zero in the order of [`Mesh::parts`].
-    pub part: usize,
-    /// How many parts the mesh has.
-    pub parts: usize,
-    /// How it moves.
-    pub motion: RigidMotion,
-    /// The part's nodes, ascending; shared by all motions of the part.
-    nodes: Arc<[usize]>,
-}
-
-impl FreeMotion {
-    /// The nodes that move: those of the part, ascending.
-    pub fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    /// Displacement over the full dofs: the motion on the part, zero off it.
-    pub fn displacement(&self, mesh: &Mesh) -> Vec<f64> {
-        let d = mesh.dimension();
-        let mut u = vec![0.0; mesh.dof_count()];
-        for &node in self.nodes.iter() {
-            u[d * node..d * (node + 1)].copy_from_slice(&self.motion.at(mesh.points[node])[..d]);
-        }
-        u
-    }
-}
-
-/// Names the motion, and the part (counted from one) where there are several.
-impl fmt::Display for FreeMotion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.motion)?;
-        if self.parts > 1 {
-            write!(f, " of part {} of {}", self.part + 1, self.parts)?;
-        }
-        Ok(())
-    }
-}
-
 /// All rigid motions of a connected part: the translations along the axes, then the rotations about
 /// the axes through the centre of the part's bounding box, as large as the translations at a distance
 /// of half the box's diagonal. Six in space, three in the plane; in an axisymmetric space only the
@@ -138,14 +108,18 @@ pub fn motions(mesh: &Mesh, part: &Part) -> Vec<RigidMotion> {
         .collect()
 }
 
-/// The rigid motions of a mesh that vanish at all prescribed dofs: a basis, part after part, empty
-/// when the supports hold the body.
+/// The rigid motions of a mesh that vanish at all prescribed dofs and satisfy all equations (with right sides
+/// of zero): a basis, part after part, empty when the supports hold the body. Parts that equations couple move
+/// together, in motions that are one's own for each of them.
 ///
 /// Where the supports leave a translation along an axis or a rotation about one, the basis may mix
 /// several of them, but translations alone are listed before motions that turn. Motions are
 /// normalised like [`motions`].
 pub fn remaining(mesh: &Mesh, dofs: &DofMap) -> Vec<FreeMotion> {
     let parts = mesh.parts();
+    if dofs.has_equations() {
+        return coupled::remaining(mesh, dofs, &parts);
+    }
     let count = parts.len();
     let of_part = |(index, part): (usize, Part)| {
         let all = motions(mesh, &part);
@@ -165,12 +139,7 @@ pub fn remaining(mesh: &Mesh, dofs: &DofMap) -> Vec<FreeMotion> {
         translations
             .into_iter()
             .chain(turning)
-            .map(move |motion| FreeMotion {
-                part: index,
-                parts: count,
-                motion,
-                nodes: nodes.clone(),
-            })
+            .map(move |motion| FreeMotion::of_part(index, count, motion, nodes.clone()))
     };
     parts.into_iter().enumerate().flat_map(of_part).collect()
 }
@@ -228,7 +197,7 @@ impl Held<'_> {
     }
 }
 
-fn combine(motions: &[RigidMotion], coefficients: &[f64; 6]) -> RigidMotion {
+fn combine(motions: &[RigidMotion], coefficients: &[f64]) -> RigidMotion {
     let clean = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x };
     let mut sum = RigidMotion {
         translation: [0.0; 3],
@@ -236,10 +205,7 @@ fn combine(motions: &[RigidMotion], coefficients: &[f64; 6]) -> RigidMotion {
         center: motions[0].center,
     };
     for (motion, &c) in motions.iter().zip(coefficients) {
-        for i in 0..3 {
-            sum.translation[i] += clean(c) * motion.translation[i];
-            sum.rotation[i] += clean(c) * motion.rotation[i];
-        }
+        sum.add(clean(c), motion);
     }
     sum
 }

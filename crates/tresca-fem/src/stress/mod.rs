@@ -9,8 +9,11 @@ mod recovery;
 
 pub use recovery::recover;
 
-use crate::assembly::{Formulation, internal_forces, mean_gradients, strain, with_dilatation};
+use crate::assembly::{
+    Formulation, elastic, internal_forces, mean_dilatation, mean_gradients, strain, with_dilatation,
+};
 use crate::element::{ShapeTable, interpolate, physical_gradients};
+use crate::initial_strain::InitialStrain;
 use crate::material::Isotropic;
 use crate::mesh::{Mesh, gather_points};
 
@@ -26,7 +29,8 @@ pub struct StressSample {
 }
 
 /// The stress at every cell's stress points (see [`crate::element::Element::stress_points`]), cell
-/// after cell: the most accurate values that the discrete displacement has to offer.
+/// after cell: the most accurate values that the discrete displacement has to offer. `initial` is the initial
+/// strain, if there is one.
 ///
 /// # Panics
 /// When the length of `u` is not [`Mesh::dof_count`].
@@ -35,6 +39,7 @@ pub fn samples(
     material: &Isotropic,
     formulation: Formulation,
     u: &[f64],
+    initial: Option<&InitialStrain>,
 ) -> Vec<StressSample> {
     assert_eq!(u.len(), mesh.dof_count());
     let mut samples = Vec::with_capacity(mesh.cell_count());
@@ -48,8 +53,15 @@ pub fn samples(
             let mean_of_cell = match formulation {
                 Formulation::Full => None,
                 Formulation::BBar => {
-                    mean_gradients(mesh.space, &full, &points, &mut gradients, &mut mean)
-                        .map(|()| strain(mesh.space, nodes, &mean, u)[..3].iter().sum())
+                    let found =
+                        mean_gradients(mesh.space, &full, &points, &mut gradients, &mut mean);
+                    found.map(|()| {
+                        let of_u: f64 = strain(mesh.space, nodes, &mean, u)[..3].iter().sum();
+                        initial.map_or(of_u, |initial| {
+                            let at = |q| initial.at(cell, nodes, full.values(q));
+                            of_u - mean_dilatation(mesh.space, &full, &points, at)
+                        })
+                    })
                 }
             };
             for q in 0..table.len() {
@@ -57,7 +69,10 @@ pub fn samples(
                 let stress =
                     match physical_gradients(mesh.space, &table, q, &points, &mut gradients) {
                         Some(_) => {
-                            let e = strain(mesh.space, nodes, &gradients, u);
+                            let mut e = strain(mesh.space, nodes, &gradients, u);
+                            if let Some(initial) = initial {
+                                e = elastic(e, initial.at(cell, nodes, table.values(q)));
+                            }
                             material.stress(mean_of_cell.map_or(e, |mean| with_dilatation(e, mean)))
                         }
                         None => [f64::NAN; 6],
@@ -81,7 +96,7 @@ pub fn von_mises([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> f64 {
     (0.5 * normal + 3.0 * shear).sqrt()
 }
 
-/// Strain energy ½ ∫ σ : ε dΩ of a displacement over the full dofs, by each cell's stiffness rule (per
+/// Strain energy ½ ∫ σ : ε dΩ, without an initial strain, of a displacement over the full dofs, by each cell's stiffness rule (per
 /// thickness in the plane, of the full circumference in an axisymmetric space).
 ///
 /// # Errors
@@ -92,7 +107,7 @@ pub fn strain_energy(
     formulation: Formulation,
     u: &[f64],
 ) -> Result<f64, crate::FemError> {
-    let forces = internal_forces(mesh, material, formulation, u)?;
+    let forces = internal_forces(mesh, material, formulation, u, None)?;
     Ok(0.5 * tresca_la::vector::dot(u, &forces))
 }
 

@@ -17,13 +17,14 @@ use super::fit::Fit;
 use super::{StressSample, samples};
 use crate::assembly::Formulation;
 use crate::element::corners_of_nodes;
+use crate::initial_strain::InitialStrain;
 use crate::material::Isotropic;
 use crate::mesh::{CellKind, Incidence, Mesh};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// The stress tensor at every node, corners and middle nodes, recovered from the displacement `u` (full
-/// dofs).
+/// dofs) and the initial strain, if there is one.
 ///
 /// Of order p + 1 on smooth solutions with cells of order p, up to the boundary; on triangles and
 /// tetrahedra, whose points are superconvergent only in groups, that order inside and at least p + ½ in
@@ -37,8 +38,9 @@ pub fn recover(
     material: &Isotropic,
     formulation: Formulation,
     u: &[f64],
+    initial: Option<&InitialStrain>,
 ) -> Vec<[f64; 6]> {
-    let samples = samples(mesh, material, formulation, u);
+    let samples = samples(mesh, material, formulation, u, initial);
     let patches = Patches::new(mesh, &samples);
     let of_corners: Vec<Vec<(usize, [f64; 6])>> = (0..mesh.node_count())
         .into_par_iter()

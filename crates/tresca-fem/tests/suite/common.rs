@@ -4,7 +4,7 @@ use faer::linalg::solvers::Solve;
 use tresca_fem::assembly::{Formulation, reduced_load, stiffness};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::material::Isotropic;
-use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
+use tresca_fem::mesh::{BrickSpec, CellKind, Face, Mesh, RectangleSpec, Space, brick, rectangle};
 use tresca_fem::supports::Supports;
 use tresca_la::SymmetricMatrix;
 use tresca_la::vector::{axpy, dot, norm};
@@ -94,11 +94,7 @@ pub fn solve_with(
     supports: &Supports,
     load: &[f64],
 ) -> Vec<f64> {
-    solve_by(mesh, material, formulation, supports, load, |k, f| {
-        let factor = k.lower().sp_cholesky(faer::Side::Lower).unwrap();
-        let x = factor.solve(faer::Col::from_fn(f.len(), |i| f[i]));
-        (0..f.len()).map(|i| x[i]).collect()
-    })
+    solve_by(mesh, material, formulation, supports, load, by_cholesky)
 }
 
 /// The same by conjugate gradients with the diagonal as preconditioner, to 1e-11: faster on the
@@ -148,9 +144,55 @@ fn solve_by(
     solver: impl Fn(&SymmetricMatrix, &[f64]) -> Vec<f64>,
 ) -> Vec<f64> {
     let dofs = DofMap::new(supports);
-    let k = stiffness(mesh, material, formulation, &dofs).unwrap();
-    let f = reduced_load(mesh, material, formulation, &dofs, load, &supports.values()).unwrap();
-    let mut u = supports.values();
+    let values = supports.values();
+    solve_constrained(mesh, (material, formulation), &dofs, &values, load, solver)
+}
+
+/// The displacement (full dofs) of a body whose dofs are numbered; `prescribed` are the held displacements.
+pub fn solve_constrained(
+    mesh: &Mesh,
+    (material, formulation): (&Isotropic, Formulation),
+    dofs: &DofMap,
+    prescribed: &[f64],
+    load: &[f64],
+    solver: impl Fn(&SymmetricMatrix, &[f64]) -> Vec<f64>,
+) -> Vec<f64> {
+    let k = stiffness(mesh, material, formulation, dofs).unwrap();
+    let f = reduced_load(mesh, material, formulation, dofs, load, prescribed).unwrap();
+    let mut u = prescribed.to_vec();
     dofs.write_free(&solver(&k, &f), &mut u);
     u
+}
+
+/// By faer's sparse Cholesky.
+pub fn by_cholesky(k: &SymmetricMatrix, f: &[f64]) -> Vec<f64> {
+    let factor = k.lower().sp_cholesky(faer::Side::Lower).unwrap();
+    let x = factor.solve(faer::Col::from_fn(f.len(), |i| f[i]));
+    (0..f.len()).map(|i| x[i]).collect()
+}
+
+/// Two meshes of one space as one, without a connection; the sets are those of both, the nodes of the second
+/// come after those of the first.
+pub fn side_by_side(first: &Mesh, second: &Mesh) -> Mesh {
+    let mut mesh = first.clone();
+    let (nodes, cells) = (first.node_count(), first.cell_count());
+    mesh.points.extend_from_slice(&second.points);
+    for block in &second.cells {
+        let mut block = block.clone();
+        block
+            .connectivity
+            .iter_mut()
+            .for_each(|node| *node += nodes);
+        mesh.cells.push(block);
+    }
+    for (name, faces) in &second.face_sets {
+        let moved = faces.iter().map(|&face| Face {
+            cell: face.cell + cells,
+            ..face
+        });
+        mesh.face_sets
+            .insert(format!("second {name}"), moved.collect());
+    }
+    mesh.validate().unwrap();
+    mesh
 }

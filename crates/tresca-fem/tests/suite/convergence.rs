@@ -118,7 +118,7 @@ fn errors(mesh: &Mesh, material: &Isotropic) -> Errors {
         &supports,
         &body_force(mesh, |p| force(material, p)),
     );
-    let recovered = stress::recover(mesh, material, Formulation::Full, &u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, &u, None);
 
     let mut sums = [0.0; 3];
     for cell in mesh.iter_cells() {

@@ -23,7 +23,7 @@ struct Exact<'a> {
 
 /// Errors of displacement, energy and recovered stress.
 fn errors(mesh: &Mesh, material: &Isotropic, u: &[f64], exact: &Exact<'_>) -> [f64; 3] {
-    let recovered = stress::recover(mesh, material, Formulation::Full, u);
+    let recovered = stress::recover(mesh, material, Formulation::Full, u, None);
     let mut sums = [0.0; 3];
     for cell in mesh.iter_cells() {
         let n = cell.nodes.len();

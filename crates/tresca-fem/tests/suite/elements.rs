@@ -113,7 +113,7 @@ fn check(mesh: &Mesh, material: &Isotropic) {
             }
         }
         let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).sin()).collect();
-        let forces = internal_forces(mesh, material, formulation, &u).unwrap();
+        let forces = internal_forces(mesh, material, formulation, &u, None).unwrap();
         let mut energy = 0.0;
         for (i, row) in reference.iter().enumerate() {
             let expected: f64 = row.iter().zip(&u).map(|(k, u)| k * u).sum();

@@ -5,6 +5,7 @@
 #![allow(clippy::print_stdout)] // Errors and rates, shown with `--nocapture`.
 
 mod common;
+mod constraints;
 mod convergence;
 mod convergence_plane;
 mod elements;
@@ -13,3 +14,4 @@ mod locking;
 mod patch;
 mod plane;
 mod stiffness;
+mod thermal;

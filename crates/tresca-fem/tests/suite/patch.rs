@@ -45,8 +45,8 @@ fn linear_displacement_is_exact(name: &str, mesh: &Mesh, formulation: Formulatio
         g[1][2] + g[2][1],
         g[0][2] + g[2][0],
     ]);
-    let samples = stress::samples(mesh, &material, formulation, &u);
-    let recovered = stress::recover(mesh, &material, formulation, &u);
+    let samples = stress::samples(mesh, &material, formulation, &u, None);
+    let recovered = stress::recover(mesh, &material, formulation, &u, None);
     for stress in samples.iter().map(|sample| sample.stress).chain(recovered) {
         let error = (0..6).map(|k| (stress[k] - expected[k]).abs());
         let error = error.fold(0.0, f64::max);
@@ -170,11 +170,11 @@ fn uniaxial_bar() {
                 assert!((u[i] - exact[i]).abs() < 1e-12 * 4.0 * p / e);
             }
         }
-        for nodal in stress::recover(&mesh, &material, Formulation::Full, &u) {
+        for nodal in stress::recover(&mesh, &material, Formulation::Full, &u, None) {
             assert!((nodal[0] - p).abs() < 1e-10 && nodal[1..].iter().all(|s| s.abs() < 1e-10));
             assert!((stress::von_mises(nodal) - p).abs() < 1e-10);
         }
-        let internal = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
+        let internal = internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap();
         let reactions: Vec<f64> = internal.iter().zip(&load).map(|(k, f)| k - f).collect();
         let sum = resultant(&mesh, &reactions, [0.0; 3]);
         assert!(
@@ -202,7 +202,7 @@ fn one_layer_of_cells_recovers_a_constant_stress() {
             .flat_map(|p| [p[0], 0.5 * p[1], 0.0])
             .collect();
         let expected = material.stress([1.0, 0.5, 0.0, 0.0, 0.0, 0.0]);
-        for nodal in stress::recover(&mesh, &material, Formulation::Full, &u) {
+        for nodal in stress::recover(&mesh, &material, Formulation::Full, &u, None) {
             assert!(
                 (0..6).all(|k| (nodal[k] - expected[k]).abs() < 1e-12),
                 "{nodal:?}"

@@ -149,7 +149,7 @@ fn the_stiffness_equals_a_naive_dense_assembly() {
             }
             // Internal forces are its action, and the strain energy its quadratic form.
             let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).sin()).collect();
-            let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
+            let forces = internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap();
             let mut energy = 0.0;
             for (i, row) in reference.iter().enumerate() {
                 let expected: f64 = row.iter().zip(&u).map(|(k, u)| k * u).sum();
@@ -169,7 +169,7 @@ fn bad_cells_are_named() {
         let dofs = DofMap::unsupported(mesh.node_count(), 2);
         for error in [
             stiffness(mesh, &solid(), Formulation::Full, &dofs).unwrap_err(),
-            internal_forces(mesh, &solid(), Formulation::Full, &u).unwrap_err(),
+            internal_forces(mesh, &solid(), Formulation::Full, &u, None).unwrap_err(),
             mesh.check_cells().unwrap_err(),
         ] {
             match error {
@@ -207,7 +207,8 @@ fn rigid_motions_and_nothing_else_cost_no_energy() {
             assert_eq!(motions.len(), if space == Space::Plane { 3 } else { 1 });
             for motion in &motions {
                 let u = motion.displacement(&mesh);
-                let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
+                let forces =
+                    internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap();
                 assert!(forces.iter().all(|f| f.abs() < 1e-13 * E), "{motion}");
             }
             let n = k.len();
@@ -234,8 +235,8 @@ fn error(mesh: &Mesh, u: &[f64], exact: impl Fn([f64; 3]) -> [f64; 2]) -> f64 {
 
 /// Stress at all points of the recovery, and at the nodes, against a constant.
 fn has_stress(mesh: &Mesh, material: &Isotropic, u: &[f64], expected: [f64; 6]) {
-    let samples = stress::samples(mesh, material, Formulation::Full, u);
-    let recovered = stress::recover(mesh, material, Formulation::Full, u);
+    let samples = stress::samples(mesh, material, Formulation::Full, u, None);
+    let recovered = stress::recover(mesh, material, Formulation::Full, u, None);
     let of_samples = samples.iter().map(|sample| sample.stress);
     for found in of_samples.chain(recovered) {
         assert!(
@@ -296,7 +297,7 @@ fn a_pulled_strip() {
             let exact = |x: [f64; 3]| [along * x[0], across * x[1]].map(|s| s * p / E);
             assert!(error(&mesh, &u, exact) < 1e-14);
             has_stress(&mesh, &material, &u, [p, 0.0, zz, 0.0, 0.0, 0.0]);
-            let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
+            let forces = internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap();
             let reactions: Vec<f64> = forces.iter().zip(&load).map(|(k, f)| k - f).collect();
             let sum = resultant(&mesh, &reactions, [0.0; 3]);
             assert!((sum.force[0] + p).abs() < 1e-12 && sum.force[1].abs() < 1e-12);
@@ -322,7 +323,7 @@ fn a_pulled_cylinder() {
             assert!(error(&mesh, &u, exact) < 1e-13);
             has_stress(&mesh, &solid(), &u, [0.0, p, 0.0, 0.0, 0.0, 0.0]);
             // The reaction is p times the area of the end.
-            let forces = internal_forces(&mesh, &solid(), Formulation::Full, &u).unwrap();
+            let forces = internal_forces(&mesh, &solid(), Formulation::Full, &u, None).unwrap();
             let reactions: Vec<f64> = forces.iter().zip(&load).map(|(k, f)| k - f).collect();
             let area = std::f64::consts::PI * ((inner + 1.0).powi(2) - inner * inner);
             let sum = resultant(&mesh, &reactions, [0.0; 3]);

@@ -151,8 +151,8 @@ fn several_blocks_give_the_matrix_of_one() {
     assert_eq!(one.lower().val(), two.lower().val());
     let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).cos()).collect();
     assert_eq!(
-        internal_forces(&mesh, &material, Formulation::Full, &u).unwrap(),
-        internal_forces(&split, &material, Formulation::Full, &u).unwrap()
+        internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap(),
+        internal_forces(&split, &material, Formulation::Full, &u, None).unwrap()
     );
 }
 
@@ -210,8 +210,8 @@ fn threads_do_not_change(mesh: &Mesh) {
             .unwrap();
         pool.install(|| {
             let k = stiffness(mesh, &material, Formulation::Full, &dofs).unwrap();
-            let forces = internal_forces(mesh, &material, Formulation::Full, &u).unwrap();
-            let stresses = stress::recover(mesh, &material, Formulation::Full, &u);
+            let forces = internal_forces(mesh, &material, Formulation::Full, &u, None).unwrap();
+            let stresses = stress::recover(mesh, &material, Formulation::Full, &u, None);
             (
                 k.lower().col_ptr().to_vec(),
                 k.lower().row_idx().to_vec(),
@@ -241,7 +241,7 @@ fn internal_forces_are_the_action_of_the_whole_matrix() {
     let u: Vec<f64> = (0..mesh.dof_count()).map(|i| (i as f64).sin()).collect();
     let mut expected = vec![0.0; u.len()];
     k.mul(&u, &mut expected);
-    let forces = internal_forces(&mesh, &material, Formulation::Full, &u).unwrap();
+    let forces = internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap();
     let scale = expected.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     assert!(
         forces
@@ -286,7 +286,7 @@ fn bad_cells_and_spaces_are_named() {
     let u = vec![0.0; mesh.dof_count()];
     for error in [
         stiffness(&mesh, &material, Formulation::Full, &dofs).unwrap_err(),
-        internal_forces(&mesh, &material, Formulation::Full, &u).unwrap_err(),
+        internal_forces(&mesh, &material, Formulation::Full, &u, None).unwrap_err(),
     ] {
         match error {
             FemError::InvertedCell {

@@ -47,10 +47,8 @@ impl Assembly {
                 (0..body.dofs.full_len()).filter(|&full| body.dofs.free_of_full(full).is_some());
             dofs.extend(full.map(|full| [index, full / components, full % components]));
             for row in 0..assembled.layout.unknowns() {
-                for (full, value) in body.contact.row(row) {
-                    if let Some(free) = body.dofs.free_of_full(full) {
-                        b.push(row, first + free, value);
-                    }
+                for (free, value) in body.dofs.restrict_row(body.contact.row(row)) {
+                    b.push(row, first + free, value);
                 }
             }
         }
