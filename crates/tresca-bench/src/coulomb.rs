@@ -47,7 +47,7 @@ impl Comparison {
 
     /// Updates of the bounds by the fixed point.
     pub fn updates(&self) -> usize {
-        self.fixed_point.last().solution.outer_iterations
+        self.fixed_point.last().solution.figures.outer_iterations
     }
 
     /// Multiplications by A in the loop, as a multiple of those with frozen bounds.

@@ -28,7 +28,10 @@ impl Counts {
     /// Of the last load step.
     pub fn of(outcome: &Outcome) -> Self {
         let solution = &outcome.last().solution;
-        Self::new(solution.iterations, solution.n_a - solution.n_a_setup)
+        Self::new(
+            solution.figures.iterations,
+            solution.figures.n_a - solution.figures.n_a_setup,
+        )
     }
 }
 
@@ -194,7 +197,7 @@ impl Row {
             method: solution.method,
             tolerance: outcome.settings.tolerance,
             counts: Counts::of(outcome),
-            setup: solution.n_a_setup,
+            setup: solution.figures.n_a_setup,
             status: solution.status,
             seconds: outcome.times.solve,
             published,

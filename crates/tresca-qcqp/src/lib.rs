@@ -10,7 +10,7 @@
 //! - [`DualProblem`] holds the operator A, the right-hand side b and the set Λ ([`ProductSet`]).
 //! - [`operator`]: the [`DualOperator`] trait, which counts the multiplications n_A, and its engines.
 //! - [`solve`] runs the [`Method`] named in [`Settings`], tells an [`Observer`] about every
-//!   iteration and returns a [`Solution`] whose [`Status`] says how it ended.
+//!   iteration and returns a [`DualSolution`] whose [`Status`] says how it ended.
 //!
 //! A problem may have more to it:
 //!
@@ -58,11 +58,12 @@ mod active_set;
 mod coulomb;
 mod equality;
 mod error;
+mod figures;
 mod methods;
 mod observe;
 pub mod operator;
 mod problem;
-mod record;
+pub mod record;
 mod reduced;
 mod session;
 pub mod sets;
@@ -77,13 +78,14 @@ pub use active_set::{ActiveSet, StateCounts};
 pub use coulomb::CoulombBound;
 pub use equality::Equality;
 pub use error::QcqpError;
+pub use figures::Figures;
 pub use observe::{Observer, Silent};
 pub use operator::{DualOperator, Tally};
 pub use problem::DualProblem;
 pub use record::IterationRecord;
 pub use sets::ProductSet;
 pub use settings::{CoulombMethod, Engine, InnerSolver, Method, OptionInfo, Settings};
-pub use solution::Solution;
+pub use solution::DualSolution;
 pub use solve::solve;
 pub use start::Start;
 pub use status::Status;

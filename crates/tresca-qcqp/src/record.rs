@@ -1,6 +1,6 @@
-//! What is known of one iteration.
+//! What is known of one iteration, and the table that iterations make.
 
-use crate::StateCounts;
+use crate::active_set::StateCounts;
 use serde::{Deserialize, Serialize};
 
 /// One line of the iteration table: the feasible iterate λ_k and the step that
@@ -30,4 +30,93 @@ pub struct IterationRecord {
     /// Length α of the Newton step that was accepted; 0 when the method fell
     /// back to the projected gradient step, 1 for methods without a search.
     pub step_length: f64,
+}
+
+/// An entry of the iteration table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Entry {
+    /// How many.
+    Count(usize),
+    /// How much.
+    Real(f64),
+}
+
+/// How a terminal shows the entries of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Notation {
+    /// A count.
+    Plain,
+    /// So many digits after the point.
+    Fixed(usize),
+    /// So many digits after the point of the mantissa.
+    Scientific(usize),
+}
+
+/// A column of the iteration table.
+#[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
+pub struct Column {
+    /// Its name in files.
+    pub key: &'static str,
+    /// Its name where room is scarce.
+    pub title: &'static str,
+    /// Characters that a terminal gives it.
+    pub width: usize,
+    /// How a terminal shows it.
+    pub notation: Notation,
+    /// Its entry in the line of a record.
+    pub entry: fn(&IterationRecord) -> Entry,
+}
+
+impl Column {
+    const fn new(
+        key: &'static str,
+        title: &'static str,
+        width: usize,
+        notation: Notation,
+        entry: fn(&IterationRecord) -> Entry,
+    ) -> Self {
+        Self {
+            key,
+            title,
+            width,
+            notation,
+            entry,
+        }
+    }
+}
+
+impl IterationRecord {
+    /// The columns of the iteration table, in their order: files, terminals and Python show these.
+    pub const COLUMNS: [Column; 13] = {
+        use Entry::{Count, Real};
+        use Notation::{Fixed, Plain, Scientific};
+        [
+            Column::new("iteration", "k", 4, Plain, |r| Count(r.iteration)),
+            Column::new("outer", "outer", 5, Plain, |r| Count(r.outer)),
+            Column::new(
+                "relative_reduced_gradient",
+                "rel. grad.",
+                12,
+                Scientific(4),
+                |r| Real(r.relative_reduced_gradient),
+            ),
+            Column::new("dual_objective", "q", 16, Scientific(9), |r| {
+                Real(r.objective)
+            }),
+            Column::new("decrease", "decrease", 10, Scientific(2), |r| {
+                Real(r.decrease)
+            }),
+            Column::new("open", "open", 6, Plain, |r| Count(r.counts.open)),
+            Column::new("closed", "closed", 6, Plain, |r| Count(r.counts.closed)),
+            Column::new("stick", "stick", 6, Plain, |r| Count(r.counts.stick)),
+            Column::new("slip", "slip", 6, Plain, |r| Count(r.counts.slip)),
+            Column::new("set_changes", "changes", 7, Plain, |r| Count(r.set_changes)),
+            Column::new("inner_iterations", "inner", 5, Plain, |r| {
+                Count(r.inner_iterations)
+            }),
+            Column::new("n_a", "n_A", 6, Plain, |r| Count(r.n_a)),
+            Column::new("step_length", "step", 6, Fixed(3), |r| Real(r.step_length)),
+        ]
+    };
 }

@@ -4,9 +4,10 @@
 //! the multiplier of an equality constraint make a sequence of them.
 
 use crate::coulomb::CoulombLaw;
+use crate::figures::Figures;
 use crate::methods::{self, Memory, Point, Run};
 use crate::{
-    ActiveSet, DualOperator, IterationRecord, Observer, ProductSet, Settings, Solution, Status,
+    ActiveSet, DualOperator, DualSolution, IterationRecord, Observer, ProductSet, Settings, Status,
     Tally,
 };
 
@@ -117,7 +118,7 @@ impl Session<'_> {
     }
 
     /// The outcome as the caller sees it.
-    pub fn into_solution(self, ending: Ending) -> Solution {
+    pub fn into_solution(self, ending: Ending) -> DualSolution {
         let tally = *self.operator.tally();
         let sigma = self.memory.spectrum.sigma;
         ending.into_solution(self.settings, self.journal, tally, sigma)
@@ -132,27 +133,29 @@ impl Ending {
         journal: Journal,
         tally: Tally,
         sigma_max: f64,
-    ) -> Solution {
+    ) -> DualSolution {
         let spent = tally - journal.before;
-        Solution {
+        DualSolution {
             status: self.status,
             method: settings.method,
+            figures: Figures {
+                iterations: journal.steps(),
+                n_a: spent.count,
+                n_a_setup: journal.n_a_setup,
+                sigma_max,
+                relative_reduced_gradient: self.relative,
+                equality_residual: self.equality_residual,
+                outer_iterations: self.outer_iterations,
+                outer_residual: self.outer_residual,
+                objective: self.objective,
+                seconds_in_products: spent.time.as_secs_f64(),
+            },
             lambda: self.point.lambda,
             gradient: self.point.gradient,
-            relative_reduced_gradient: self.relative,
-            objective: self.objective,
             active_set: self.active,
             multiplier: self.multiplier,
-            equality_residual: self.equality_residual,
             motion: self.motion,
-            outer_iterations: self.outer_iterations,
-            outer_residual: self.outer_residual,
-            iterations: journal.steps(),
-            n_a: spent.count,
-            seconds_in_products: spent.time.as_secs_f64(),
             records: journal.records,
-            n_a_setup: journal.n_a_setup,
-            sigma_max,
         }
     }
 }

@@ -5,7 +5,9 @@ use crate::equality::{self, Balanced};
 use crate::error::check_vector;
 use crate::methods::{self, Memory};
 use crate::session::{Ending, Inner, Journal, Session};
-use crate::{DualProblem, Observer, ProductSet, QcqpError, Settings, Solution, Start, spectrum};
+use crate::{
+    DualProblem, DualSolution, Observer, ProductSet, QcqpError, Settings, Start, spectrum,
+};
 use tresca_la::vector::norm;
 
 /// Solves the problem by the method of the settings.
@@ -18,13 +20,13 @@ use tresca_la::vector::norm;
 /// Only for wrong input: settings out of range, a start of the wrong length or
 /// not finite, an operator that is zero, not symmetric, not positive
 /// semidefinite or not finite. How a run ended stands in
-/// [`Solution::status`].
+/// [`DualSolution::status`].
 pub fn solve(
     problem: &mut DualProblem,
     settings: &Settings,
     start: Option<Start>,
     observer: &mut dyn Observer,
-) -> Result<Solution, QcqpError> {
+) -> Result<DualSolution, QcqpError> {
     settings.validate()?;
     if let Some(start) = start {
         check_vector("the start", start.lambda, problem.dim())?;

@@ -1,6 +1,6 @@
 //! Where a solve starts.
 
-use crate::Solution;
+use crate::DualSolution;
 
 /// A start for [`solve`](crate::solve()): forces, and the multiplier of the equality constraint.
 #[derive(Clone, Copy, Debug)]
@@ -20,8 +20,8 @@ impl<'a> From<&'a [f64]> for Start<'a> {
     }
 }
 
-impl<'a> From<&'a Solution> for Start<'a> {
-    fn from(solution: &'a Solution) -> Self {
+impl<'a> From<&'a DualSolution> for Start<'a> {
+    fn from(solution: &'a DualSolution) -> Self {
         Self {
             lambda: &solution.lambda,
             multiplier: &solution.multiplier,

@@ -24,7 +24,7 @@ pub enum Status {
     Diverged,
     /// Equality constraint: no λ ∈ Λ satisfies it. The loads on a floating body need contact forces
     /// that can only pull, or friction that is not there;
-    /// [`Solution::motion`](crate::Solution::motion) is the rigid motion that nothing resists.
+    /// [`DualSolution::motion`](crate::DualSolution::motion) is the rigid motion that nothing resists.
     NoEquilibrium,
     /// Coulomb's law: the bounds return to former values, over and over.
     CoulombCycles,

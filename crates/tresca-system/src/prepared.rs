@@ -5,7 +5,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use tresca_contact::Sliding;
 use tresca_la::vector::dot;
-use tresca_qcqp::{DualProblem, QcqpError, Settings, Solution, Status};
+use tresca_qcqp::{DualProblem, DualSolution, QcqpError, Settings, Status};
 
 use crate::body::{Body, Factors, add_motions, at_rest, load_on_motions};
 use crate::description::{Description, Times};
@@ -179,7 +179,7 @@ impl Prepared {
         Ok(energy)
     }
 
-    fn recover(&self, case: &LoadCase, solution: Solution, load_energy: f64) -> Solved {
+    fn recover(&self, case: &LoadCase, solution: DualSolution, load_energy: f64) -> Solved {
         let displacements = if solution.status == Status::NoEquilibrium {
             // There is no displacement; the supports alone are where they should be.
             at_rest(&self.bodies)
@@ -215,7 +215,7 @@ impl Prepared {
         let sizes = displacements.iter().map(|u| largest(u));
         let measured = Measured {
             length: sizes.fold(case.held.max(largest(&case.gaps)), f64::max),
-            dual_energy: Some(-solution.objective - 0.5 * load_energy),
+            dual_energy: Some(-solution.figures.objective - 0.5 * load_energy),
             elastic: ElasticSums::total(&sums),
             displacements,
             relative,

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use tresca_qcqp::{DualProblem, IterationRecord, QcqpError, Settings, Solution, Start};
+use tresca_qcqp::{DualProblem, DualSolution, IterationRecord, QcqpError, Settings, Start};
 
 use crate::description::Times;
 use crate::progress::{Progress, Stage, Stopped, begin};
@@ -25,13 +25,13 @@ pub(crate) fn solve(
     settings: &Settings,
     times: &mut Times,
     progress: &mut dyn Progress,
-) -> Result<Solution, Unsolved> {
+) -> Result<DualSolution, Unsolved> {
     begin(progress, Stage::Solve)?;
     let clock = Instant::now();
     let mut observer = |record: &IterationRecord| progress.iteration(record);
     let solution = tresca_qcqp::solve(dual, settings, start, &mut observer)?;
     times.solve += clock.elapsed().as_secs_f64();
-    times.multiplications += solution.seconds_in_products;
+    times.multiplications += solution.figures.seconds_in_products;
     // From here on the result exists; an interruption must not lose it.
     let _ = progress.stage(Stage::Recovery);
     Ok(solution)

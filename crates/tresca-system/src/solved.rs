@@ -1,7 +1,7 @@
 //! What a solve of a system gives back, whoever brought the matrices.
 
 use tresca_contact::Sliding;
-use tresca_qcqp::{Solution, Status};
+use tresca_qcqp::{DualSolution, Status};
 
 use crate::certificate::Certificate;
 use crate::layout::Layout;
@@ -15,7 +15,7 @@ use crate::measures::{Elastic, Interface, Pairs};
 #[derive(Debug, Clone)]
 pub struct Solved {
     /// Status, figures, iteration records; its vectors are in the solver's unknowns μ.
-    pub dual: Solution,
+    pub dual: DualSolution,
     /// u of each body over its free dofs; zero with [`Status::NoEquilibrium`], no body for a pure dual form.
     pub displacements: Vec<Vec<f64>>,
     /// λ = \[λν (m); λτ ((d−1) m)\], the contact forces.
@@ -57,7 +57,7 @@ impl Solved {
         gaps: &[f64],
         slidings: &[Sliding],
         origin: &[f64],
-        dual: Solution,
+        dual: DualSolution,
         measured: Measured,
     ) -> Self {
         let m = layout.pair_count();

@@ -60,8 +60,8 @@ pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_model::{self as model, Body, Contact, Model, ModelError, Step, Support, Traction};
 pub use tresca_qcqp::{
-    CoulombMethod, Engine, InnerSolver, IterationRecord, Method, OptionInfo, Settings, StateCounts,
-    Status,
+    CoulombMethod, DualSolution, Engine, Figures, InnerSolver, IterationRecord, Method, OptionInfo,
+    Settings, StateCounts, Status, record,
 };
 pub use tresca_system::body::Factors;
 pub use tresca_system::certificate::{self, Certificate};

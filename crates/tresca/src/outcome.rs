@@ -1,7 +1,7 @@
 //! What a run gives back: for each load step displacements, the state of every contact pair, the
 //! certificate.
 
-use tresca_qcqp::{Settings, Solution, Status};
+use tresca_qcqp::{DualSolution, Settings, Status};
 use tresca_system::certificate::Certificate;
 use tresca_system::description::{Description, Times};
 
@@ -20,7 +20,7 @@ pub struct StepOutcome {
     pub name: Option<String>,
     /// The dual solution: status, iteration records, counts. Its `lambda` holds the solver's unknowns;
     /// the forces stand in [`StepOutcome::contacts`].
-    pub solution: Solution,
+    pub solution: DualSolution,
     /// Displacement of each body over its full dofs (x, y, z node by node).
     pub displacements: Vec<Vec<f64>>,
     /// Reactions of the supports on each body over its full dofs, zero at free ones.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::Write;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -10,11 +11,12 @@ use tresca_case::LAWS;
 use tresca_fem::mesh::{CellKind, Mesh};
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
-use tresca_io::history::History;
+use tresca_io::history::{History, Value};
 use tresca_io::pvd::{self, Part};
 use tresca_io::results::{BodyFields, ContactFields};
 use tresca_io::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 use tresca_io::{WriteError, summary};
+use tresca_qcqp::record::Entry;
 
 use crate::check::Check;
 use crate::model::{Body, Model};
@@ -159,11 +161,11 @@ fn facts(model: &Model, outcome: &Outcome, step: &StepOutcome) -> Vec<(String, F
         count("converged", usize::from(step.converged())),
         count("step", step.number),
         number("time", step.time),
-        count("iterations", solution.iterations),
-        count("n_a", solution.n_a),
+        count("iterations", solution.figures.iterations),
+        count("n_a", solution.figures.n_a),
         number(
             "relative_reduced_gradient",
-            solution.relative_reduced_gradient,
+            solution.figures.relative_reduced_gradient,
         ),
     ]
 }
@@ -181,41 +183,17 @@ fn history(outcome: &Outcome) -> Result<History, WriteError> {
 pub(crate) fn history_table<'a>(
     steps: impl IntoIterator<Item = (usize, &'a [IterationRecord])>,
 ) -> Result<History, WriteError> {
-    let mut table = History::new(&[
-        "step",
-        "iteration",
-        "outer",
-        "relative_reduced_gradient",
-        "dual_objective",
-        "decrease",
-        "open",
-        "closed",
-        "stick",
-        "slip",
-        "set_changes",
-        "inner_iterations",
-        "n_a",
-        "step_length",
-    ]);
+    let columns = &IterationRecord::COLUMNS;
+    let keys = columns.iter().map(|column| column.key);
+    let mut table = History::new(&iter::once("step").chain(keys).collect::<Vec<_>>());
     for (number, records) in steps {
         for record in records {
-            let counts = record.counts;
-            table.push(&[
-                number.into(),
-                record.iteration.into(),
-                record.outer.into(),
-                record.relative_reduced_gradient.into(),
-                record.objective.into(),
-                record.decrease.into(),
-                counts.open.into(),
-                counts.closed.into(),
-                counts.stick.into(),
-                counts.slip.into(),
-                record.set_changes.into(),
-                record.inner_iterations.into(),
-                record.n_a.into(),
-                record.step_length.into(),
-            ])?;
+            let entries = columns.iter().map(|column| match (column.entry)(record) {
+                Entry::Count(count) => count.into(),
+                Entry::Real(value) => value.into(),
+            });
+            let row: Vec<Value> = iter::once(number.into()).chain(entries).collect();
+            table.push(&row)?;
         }
     }
     Ok(table)

@@ -1,7 +1,7 @@
 //! The summary of a run, as it is written to `summary.json`.
 
 use serde::Serialize;
-use tresca_qcqp::{Settings, Status};
+use tresca_qcqp::{Figures, Settings, Status};
 
 use crate::certificate::Certificate;
 use crate::floating::UnresistedMotion;
@@ -66,20 +66,9 @@ pub struct StepSummary {
     pub name: Option<String>,
     /// How the method ended.
     pub status: Status,
-    /// Iterations.
-    pub iterations: usize,
-    /// Multiplications by A.
-    pub n_a: usize,
-    /// ‖r̃(λ)‖ / ‖r̃(0)‖.
-    pub relative_reduced_gradient: f64,
-    /// Residual of the equilibrium of floating bodies, on the same scale; 0 without them.
-    pub equality_residual: f64,
-    /// Outer iterations: updates of Coulomb bounds.
-    pub outer_iterations: usize,
-    /// Relative change of the Coulomb bounds in the last of them; 0 without Coulomb's law.
-    pub outer_residual: f64,
-    /// q(λ).
-    pub dual_objective: f64,
+    /// Iterations, multiplications by A, residuals, objective.
+    #[serde(flatten)]
+    pub figures: Figures,
     /// The contact in figures.
     pub contact: ContactSummary,
     /// The force that each contact hands from the slave to the master.
@@ -205,9 +194,11 @@ impl Summary {
             version: crate::VERSION,
             status: outcome.status(),
             method: outcome.settings.method.name(),
-            iterations: solutions().map(|solution| solution.iterations).sum(),
-            n_a: solutions().map(|solution| solution.n_a).sum(),
-            n_a_setup: solutions().map(|solution| solution.n_a_setup).sum(),
+            iterations: solutions()
+                .map(|solution| solution.figures.iterations)
+                .sum(),
+            n_a: solutions().map(|solution| solution.figures.n_a).sum(),
+            n_a_setup: solutions().map(|solution| solution.figures.n_a_setup).sum(),
             dofs: outcome.description.dofs,
             bodies: outcome.description.bodies,
             rigid_motions: outcome.description.rigid_motions,
@@ -257,13 +248,7 @@ impl StepSummary {
             time: step.time,
             name: step.name.clone(),
             status: solution.status,
-            iterations: solution.iterations,
-            n_a: solution.n_a,
-            relative_reduced_gradient: solution.relative_reduced_gradient,
-            equality_residual: solution.equality_residual,
-            outer_iterations: solution.outer_iterations,
-            outer_residual: solution.outer_residual,
-            dual_objective: solution.objective,
+            figures: solution.figures,
             contact: ContactSummary {
                 pairs: step.pairs().count(),
                 closed: count(|pair| pair.closed),

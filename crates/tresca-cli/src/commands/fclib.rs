@@ -102,19 +102,21 @@ fn print(summary: &Summary, directory: &Path) {
     }
     println!(
         "{} in {} iterations, {} multiplications by W ({} of them for σmax)",
-        summary.method, summary.iterations, summary.n_a, summary.n_a_setup
+        summary.method, summary.figures.iterations, summary.figures.n_a, summary.figures.n_a_setup
     );
-    if summary.outer_iterations > 0 {
+    if summary.figures.outer_iterations > 0 {
         println!(
             "Coulomb friction: {} updates of the slip bounds, the last changed them by {:.1e} \
              (tolerance {:.0e})",
-            summary.outer_iterations, summary.outer_residual, summary.settings.coulomb_tolerance
+            summary.figures.outer_iterations,
+            summary.figures.outer_residual,
+            summary.settings.coulomb_tolerance
         );
     }
     let states = &summary.states;
     println!(
         "contact: {} closed, {} open, {} stick, {} slip; objective {:.9e}",
-        states.closed, states.open, states.stick, states.slip, summary.objective
+        states.closed, states.open, states.stick, states.slip, summary.figures.objective
     );
     let residuals = &summary.residuals;
     println!("residual of the natural map, from r and u alone:");

@@ -16,7 +16,10 @@ pub fn print(summary: &Summary, directory: &Path) {
     if summary.status == Status::Converged {
         println!(
             "converged: {} in {} iterations, {} multiplications by A ({} of them for σmax)",
-            summary.method, summary.iterations, summary.n_a, summary.n_a_setup
+            summary.method,
+            summary.figures.iterations,
+            summary.figures.n_a,
+            summary.figures.n_a_setup
         );
     } else {
         println!(
@@ -24,9 +27,9 @@ pub fn print(summary: &Summary, directory: &Path) {
              gradient {:.2e}, tolerance {:.0e}",
             summary.status,
             summary.method,
-            summary.iterations,
-            summary.n_a,
-            summary.relative_reduced_gradient,
+            summary.figures.iterations,
+            summary.figures.n_a,
+            summary.figures.relative_reduced_gradient,
             summary.settings.tolerance
         );
     }

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use tresca::record::{Column, Entry, Notation};
 use tresca::{Description, IterationRecord, Progress, Stage, StepInfo};
 
 use super::format::grouped;
@@ -54,22 +55,7 @@ impl Monitor {
         if !self.print {
             return;
         }
-        println!(
-            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
-            "k",
-            "outer",
-            "rel. grad.",
-            "q",
-            "decrease",
-            "open",
-            "closed",
-            "stick",
-            "slip",
-            "changes",
-            "inner",
-            "n_A",
-            "step"
-        );
+        println!("\n{}", row(|column| column.title.to_owned()));
     }
 
     /// Removes whatever is still turning.
@@ -144,24 +130,24 @@ impl Progress for Monitor {
 
     fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {
         if self.print {
-            let counts = record.counts;
-            println!(
-                "{:>4} {:>5} {:>12.4e} {:>16.9e} {:>10.2e} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6.3}",
-                record.iteration,
-                record.outer,
-                record.relative_reduced_gradient,
-                record.objective,
-                record.decrease,
-                counts.open,
-                counts.closed,
-                counts.stick,
-                counts.slip,
-                record.set_changes,
-                record.inner_iterations,
-                record.n_a,
-                record.step_length,
-            );
+            println!("{}", row(|column| shown(column, record)));
         }
         self.flow()
+    }
+}
+
+/// A line of the iteration table, its cells to the right of their columns.
+fn row(cell: impl Fn(&Column) -> String) -> String {
+    let cells = IterationRecord::COLUMNS.iter();
+    let cells = cells.map(|column| format!("{:>1$}", cell(column), column.width));
+    cells.collect::<Vec<_>>().join(" ")
+}
+
+fn shown(column: &Column, record: &IterationRecord) -> String {
+    match ((column.entry)(record), column.notation) {
+        (Entry::Real(value), Notation::Fixed(digits)) => format!("{value:.digits$}"),
+        (Entry::Real(value), Notation::Scientific(digits)) => format!("{value:.digits$e}"),
+        (Entry::Real(value), Notation::Plain) => value.to_string(),
+        (Entry::Count(count), _) => count.to_string(),
     }
 }

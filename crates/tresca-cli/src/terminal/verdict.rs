@@ -79,21 +79,21 @@ fn conclusion(summary: &Summary) {
             summary.method,
             summary.iterations,
             summary.n_a,
-            step.relative_reduced_gradient,
+            step.figures.relative_reduced_gradient,
             settings.tolerance
         );
     }
-    if step.outer_iterations > 0 {
+    if step.figures.outer_iterations > 0 {
         println!(
             "Coulomb friction: {} updates of the slip bounds, the last changed them by {:.1e} \
              (tolerance {:.0e})",
-            step.outer_iterations, step.outer_residual, settings.coulomb_tolerance
+            step.figures.outer_iterations, step.figures.outer_residual, settings.coulomb_tolerance
         );
     }
     if summary.rigid_motions > 0 {
         println!(
             "floating bodies: {} rigid motions held by contact; residual of their equilibrium {:.1e}",
-            summary.rigid_motions, step.equality_residual
+            summary.rigid_motions, step.figures.equality_residual
         );
     }
     if let Some(motion) = &step.unresisted_motion {
@@ -128,8 +128,8 @@ fn steps(summary: &Summary) {
             "{:>5} {:>10.4} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>14.6e} {:>12.4e}  {}",
             step.step,
             step.time,
-            step.iterations,
-            step.n_a,
+            step.figures.iterations,
+            step.figures.n_a,
             contact.open,
             contact.closed,
             contact.stick,

@@ -3,7 +3,7 @@
 use crate::common::problems::{KINDS, Kind, random, rng};
 use crate::common::{Plain, distance, norm, oracle, settings};
 use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine, Point};
-use tresca_qcqp::{InnerSolver, Method, ProductSet, Settings, Silent, Solution, Status, solve};
+use tresca_qcqp::{DualSolution, InnerSolver, Method, ProductSet, Settings, Silent, Status, solve};
 
 const GLOBAL: [Method; 3] = [Method::Gimssn, Method::Grssn, Method::Apgd];
 
@@ -12,17 +12,17 @@ fn must_converge(method: Method, condition: f64) -> bool {
     GLOBAL.contains(&method) || condition <= 10.0
 }
 
-fn assert_solves(plain: &Plain, solution: &Solution, tolerance: f64, what: &str) {
+fn assert_solves(plain: &Plain, solution: &DualSolution, tolerance: f64, what: &str) {
     assert_eq!(solution.status, Status::Converged, "{what}");
     assert!(plain.set.contains(&solution.lambda), "{what}: not feasible");
-    let seen = plain.relative_reduced_gradient(&solution.lambda, 1.0 / solution.sigma_max);
+    let seen = plain.relative_reduced_gradient(&solution.lambda, 1.0 / solution.figures.sigma_max);
     let floor = 1e-13 * norm(&plain.b);
     assert!(
         seen <= 1.01 * tolerance + floor,
         "{what}: reduced gradient {seen:.2e}"
     );
     assert!(
-        (seen - solution.relative_reduced_gradient).abs() <= 1e-3 * tolerance + floor,
+        (seen - solution.figures.relative_reduced_gradient).abs() <= 1e-3 * tolerance + floor,
         "{what}"
     );
 }
@@ -123,7 +123,11 @@ fn bending_does_not_stop_the_default_method() {
         };
         let solution = plain.solve(&settings, None);
         assert_solves(&plain, &solution, 1e-9, "cantilever");
-        assert!(solution.iterations <= 15, "{} steps", solution.iterations);
+        assert!(
+            solution.figures.iterations <= 15,
+            "{} steps",
+            solution.figures.iterations
+        );
         let reference = oracle::minimiser(&plain);
         let (own, theirs) = (
             plain.objective(&solution.lambda),
@@ -148,24 +152,32 @@ fn newton_methods_need_few_steps_and_less_than_the_gradient_method() {
             },
             None,
         );
-        assert!(newton.iterations <= 15, "{} steps", newton.iterations);
         assert!(
-            newton.n_a < gradient.n_a,
+            newton.figures.iterations <= 15,
+            "{} steps",
+            newton.figures.iterations
+        );
+        assert!(
+            newton.figures.n_a < gradient.figures.n_a,
             "{} and {} products",
-            newton.n_a,
-            gradient.n_a
+            newton.figures.n_a,
+            gradient.figures.n_a
         );
         let iterative = Settings {
             inner_solver: InnerSolver::Iterative,
             ..settings(Method::Grssn, 1e-10)
         };
         let iterative = plain.solve(&iterative, None);
-        assert!(iterative.iterations <= 15, "{} steps", iterative.iterations);
         assert!(
-            iterative.n_a < gradient.n_a,
+            iterative.figures.iterations <= 15,
+            "{} steps",
+            iterative.figures.iterations
+        );
+        assert!(
+            iterative.figures.n_a < gradient.figures.n_a,
             "{} and {} products",
-            iterative.n_a,
-            gradient.n_a
+            iterative.figures.n_a,
+            gradient.figures.n_a
         );
         assert!(distance(&iterative.lambda, &newton.lambda) <= 1e-6 * norm(&newton.lambda));
     }
@@ -227,9 +239,9 @@ fn a_problem_solved_by_zero_costs_nothing() {
         for &method in Method::ALL {
             let solution = plain.solve(&settings(method, 1e-10), None);
             assert_eq!(solution.status, Status::Converged);
-            assert_eq!((solution.n_a, solution.iterations), (0, 0));
+            assert_eq!((solution.figures.n_a, solution.figures.iterations), (0, 0));
             assert_eq!(solution.lambda, [0.0; 6]);
-            assert_eq!(solution.relative_reduced_gradient, 0.0);
+            assert_eq!(solution.figures.relative_reduced_gradient, 0.0);
         }
     }
 }
@@ -242,9 +254,9 @@ fn the_exact_method_in_two_dimensions_ends_after_finitely_many_steps() {
         let solution = plain.solve(&settings(Method::Grssn, 1e-6), None);
         assert_eq!(solution.status, Status::Converged);
         assert!(
-            solution.relative_reduced_gradient <= 1e-12,
+            solution.figures.relative_reduced_gradient <= 1e-12,
             "the last step left {:.1e}",
-            solution.relative_reduced_gradient
+            solution.figures.relative_reduced_gradient
         );
     }
 }
@@ -357,9 +369,9 @@ fn finite_termination_leaves_rounding_only() {
                 panic!("one step at least")
             };
             assert!(
-                solution.iterations < 15,
+                solution.figures.iterations < 15,
                 "{method}, {seed}: {} steps",
-                solution.iterations
+                solution.figures.iterations
             );
             assert!(before.relative_reduced_gradient > 1e-6);
             assert!(
@@ -440,7 +452,7 @@ fn a_second_problem_on_the_same_operator_pays_for_no_estimate() {
         };
         let mut problem = plain.problem();
         let first = solve(&mut problem, &settings, None, &mut Silent).unwrap();
-        assert!(first.n_a_setup > 0);
+        assert!(first.figures.n_a_setup > 0);
         problem.set_rhs(other.b.clone()).unwrap();
         problem.set_set(other.set.clone()).unwrap();
         let second = solve(&mut problem, &settings, None, &mut Silent).unwrap();
@@ -451,7 +463,7 @@ fn a_second_problem_on_the_same_operator_pays_for_no_estimate() {
         };
         let fresh = fresh.solve(&settings, None);
         assert_eq!(
-            (second.status, second.n_a_setup),
+            (second.status, second.figures.n_a_setup),
             (fresh.status, 0),
             "{method}"
         );
@@ -461,10 +473,10 @@ fn a_second_problem_on_the_same_operator_pays_for_no_estimate() {
                 "{method}"
             );
             assert!(
-                second.n_a < fresh.n_a,
+                second.figures.n_a < fresh.figures.n_a,
                 "{method}: {} and {}",
-                second.n_a,
-                fresh.n_a
+                second.figures.n_a,
+                fresh.figures.n_a
             );
         }
     }

@@ -249,7 +249,7 @@ fn engines_lead_to_the_same_solution() {
         };
         let solution = solve(&mut problem.unwrap(), &settings, None, &mut Silent).unwrap();
         assert!(solution.status.is_converged(), "{}", solution.status);
-        (solution.lambda, solution.n_a)
+        (solution.lambda, solution.figures.n_a)
     };
     let iterative = InnerSolver::Iterative;
     let (reference, pairs_n_a) = run(

@@ -24,15 +24,16 @@ fn an_unconverged_run_says_so_and_returns_its_best_feasible_point() {
             let solution = plain.solve(&settings, None);
             assert_eq!(solution.status, Status::IterationLimit, "{method}");
             assert!(!solution.status.is_converged());
-            assert_eq!(solution.iterations, limit);
+            assert_eq!(solution.figures.iterations, limit);
             assert!(plain.set.contains(&solution.lambda));
             let best = solution
                 .records
                 .iter()
                 .map(|r| r.relative_reduced_gradient)
                 .fold(9.0, f64::min);
-            assert_eq!(solution.relative_reduced_gradient, best);
-            let seen = plain.relative_reduced_gradient(&solution.lambda, 1.0 / solution.sigma_max);
+            assert_eq!(solution.figures.relative_reduced_gradient, best);
+            let seen =
+                plain.relative_reduced_gradient(&solution.lambda, 1.0 / solution.figures.sigma_max);
             assert!(
                 (seen - best).abs() <= 1e-9,
                 "{method}: {seen} is not {best}"
@@ -47,7 +48,10 @@ fn a_tolerance_below_rounding_stagnates() {
     for method in [Method::Ssn, Method::Mssn, Method::Grssn, Method::Apgd] {
         let solution = plain.solve(&settings(method, 1e-30), None);
         assert_eq!(solution.status, Status::Stagnated, "{method}");
-        assert!(solution.relative_reduced_gradient <= 1e-12, "{method}");
+        assert!(
+            solution.figures.relative_reduced_gradient <= 1e-12,
+            "{method}"
+        );
     }
 }
 
@@ -106,7 +110,7 @@ fn what_is_returned_belongs_together() {
             "{method}: gradient off by {off:.1e}"
         );
         let q = 0.5 * (dot(&solution.lambda, &gradient) - dot(&solution.lambda, &plain.b));
-        assert!((q - solution.objective).abs() <= 1e-12 * q.abs());
+        assert!((q - solution.figures.objective).abs() <= 1e-12 * q.abs());
         for (block, state) in plain.set.blocks().iter().zip(solution.active_set.states()) {
             let x = &solution.lambda[block.range()];
             match block.set {
@@ -171,12 +175,12 @@ fn a_product_that_is_not_finite_is_caught_at_once() {
         let solution = run(method, 30).unwrap();
         assert_eq!(solution.status, Status::Diverged, "{method}");
         assert!(solution.lambda.iter().all(|l| l.is_finite()));
-        assert!(solution.relative_reduced_gradient.is_finite());
+        assert!(solution.figures.relative_reduced_gradient.is_finite());
         assert!(plain.set.contains(&solution.lambda));
         assert!(
-            solution.n_a < 200,
+            solution.figures.n_a < 200,
             "{method}: {} products after the first NaN",
-            solution.n_a
+            solution.figures.n_a
         );
     }
 }

@@ -31,7 +31,7 @@ fn gimssn_descends_and_keeps_the_bounds_of_the_theorem() {
                 };
                 let solution = plain.solve(&settings, None);
                 assert_eq!(solution.status, Status::Converged);
-                let rho = relative_rho / solution.sigma_max;
+                let rho = relative_rho / solution.figures.sigma_max;
                 assert!(
                     rho < 2.0 / largest,
                     "the estimate of the largest eigenvalue is too low"
@@ -82,7 +82,7 @@ fn assert_distances(
         let k = solution
             .records
             .iter()
-            .position(|r| r.relative_reduced_gradient == solution.relative_reduced_gradient)
+            .position(|r| r.relative_reduced_gradient == solution.figures.relative_reduced_gradient)
             .unwrap();
         let bound = (2.0 * first_excess / smallest).sqrt() * eta.powf(0.5 * k as f64);
         let off = distance(&solution.lambda, exact);
@@ -164,14 +164,14 @@ fn grssn_survives_an_estimate_of_the_spectrum_that_is_too_low() {
         let spike = Spike {
             inner: Dense::new(quiet.clone()),
             calls: 0,
-            quiet: honest.n_a_setup,
+            quiet: honest.figures.n_a_setup,
             top,
             count: Default::default(),
         };
         let mut problem = DualProblem::new(spike, plain.b.clone(), plain.set.clone()).unwrap();
         let start = normals(&mut problems::rng(seed), n);
         let solution = solve(&mut problem, &settings, Some(start[..].into()), &mut Silent).unwrap();
-        assert!(solution.sigma_max < 0.1 * top);
+        assert!(solution.figures.sigma_max < 0.1 * top);
         assert_eq!(solution.status, Status::Converged);
         for record in &solution.records {
             assert!(

@@ -8,8 +8,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tresca_qcqp::operator::{Dense, LocalModel};
 use tresca_qcqp::sets::{Block, BlockSet, Disc, Interval};
 use tresca_qcqp::{
-    CoulombMethod, DualOperator, DualProblem, InnerSolver, Method, ProductSet, Settings, Silent,
-    Solution, Status, solve,
+    CoulombMethod, DualOperator, DualProblem, DualSolution, InnerSolver, Method, ProductSet,
+    Settings, Silent, Status, solve,
 };
 
 /// Counts the products that really happen, apart from the operator's own counter.
@@ -64,19 +64,19 @@ fn every_multiplication_is_counted() {
                 )
                 .unwrap();
                 assert_eq!(
-                    solution.n_a,
+                    solution.figures.n_a,
                     seen.load(Ordering::Relaxed) - before,
                     "{method}"
                 );
                 assert_eq!(
                     solution.records.last().unwrap().n_a,
-                    solution.n_a,
+                    solution.figures.n_a,
                     "{method}"
                 );
-                assert_eq!(solution.records.len(), solution.iterations + 1);
+                assert_eq!(solution.records.len(), solution.figures.iterations + 1);
                 // What is known of A is not asked for again.
-                assert_eq!(solution.n_a_setup > 0, first);
-                assert!(solution.n_a_setup <= 12);
+                assert_eq!(solution.figures.n_a_setup > 0, first);
+                assert!(solution.figures.n_a_setup <= 12);
             }
         }
     }
@@ -144,8 +144,8 @@ fn units_change_neither_iterations_nor_products() {
     }
 }
 
-fn work(solution: &Solution) -> (usize, usize) {
-    (solution.iterations, solution.n_a)
+fn work(solution: &DualSolution) -> (usize, usize) {
+    (solution.figures.iterations, solution.figures.n_a)
 }
 
 /// Counts on one problem. A method that changes on purpose changes the table; a
@@ -177,7 +177,8 @@ fn work_stays_within_its_band() {
         let within = |found: usize, expected: usize| {
             found.abs_diff(expected) as f64 <= 1.0 + 0.15 * expected as f64
         };
-        inside &= within(solution.iterations, iterations) && within(solution.n_a, n_a);
+        inside &=
+            within(solution.figures.iterations, iterations) && within(solution.figures.n_a, n_a);
         report += &format!(
             "{method} {inner_solver}: {:?}, table {:?}\n",
             work(&solution),
@@ -241,11 +242,11 @@ fn work_of_outer_iterations_stays_within_its_band() {
             found.abs_diff(expected) as f64 <= 1.0 + 0.15 * expected as f64
         };
         inside &= within(found, problems)
-            && within(solution.iterations, iterations)
-            && within(solution.n_a, n_a);
+            && within(solution.figures.iterations, iterations)
+            && within(solution.figures.n_a, n_a);
         report += &format!(
             "{coulomb:?} {inner_solver}: {:?}, table {:?}\n",
-            (found, solution.iterations, solution.n_a),
+            (found, solution.figures.iterations, solution.figures.n_a),
             (problems, iterations, n_a)
         );
     }

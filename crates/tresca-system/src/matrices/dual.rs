@@ -160,7 +160,7 @@ fn recover(
     layout: &Layout,
     slidings: &[Sliding],
     rhs: &[f64],
-    solution: tresca_qcqp::Solution,
+    solution: tresca_qcqp::DualSolution,
 ) -> Solved {
     let mu = &solution.lambda;
     let mut product = vec![0.0; mu.len()];

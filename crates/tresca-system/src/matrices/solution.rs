@@ -1,6 +1,6 @@
 //! What a solve of an algebraic problem gives back.
 
-use tresca_qcqp::{IterationRecord, Settings, StateCounts, Status};
+use tresca_qcqp::{Figures, IterationRecord, Settings, StateCounts, Status};
 
 use super::note::Note;
 use crate::certificate::Certificate;
@@ -58,27 +58,11 @@ pub struct Solution {
     /// Independent check of the result. `bodies` is empty: without a mesh there are no moments. Of the pure
     /// dual form `equilibrium` compares the solver's Aλ − b with a fresh product.
     pub certificate: Certificate,
-    /// ‖r̃(λ)‖/‖r̃(0)‖, what the tolerance is on.
-    pub relative_reduced_gradient: f64,
-    /// q(λ) = ½λᵀAλ − λᵀb.
-    pub dual_objective: f64,
-    /// Residual of the equilibrium of parts that float, on the scale of the reduced gradient.
-    pub equality_residual: f64,
-    /// Outer iterations: updates of Coulomb bounds or of motions of floating parts.
-    pub outer_iterations: usize,
-    /// Relative change of the Coulomb bounds in the last of them.
-    pub outer_residual: f64,
-    /// Iterations.
-    pub iterations: usize,
+    /// Iterations, multiplications by A (the one for the certificate of a pure dual problem is not
+    /// among them), residuals, objective.
+    pub figures: Figures,
     /// One record per iteration, and one for each start.
     pub records: Vec<IterationRecord>,
-    /// Multiplications by A, those for σmax included; the one for the certificate of a pure dual problem
-    /// is not.
-    pub n_a: usize,
-    /// The part of `n_a` that went into the estimate of σmax.
-    pub n_a_setup: usize,
-    /// Estimate of the largest eigenvalue of A in the solver's unknowns.
-    pub sigma_max: f64,
     /// How many blocks of unknowns are open, closed, sticking, slipping.
     pub states: StateCounts,
     /// α: how much of each kernel vector there is in u beyond K⁺(f − Bᵀλ); a start for the next step.
@@ -113,15 +97,7 @@ impl Solution {
             slip_bounds: solved.slip_bounds,
             certificate: solved.certificate,
             status: solved.dual.status,
-            relative_reduced_gradient: solved.dual.relative_reduced_gradient,
-            dual_objective: solved.dual.objective,
-            equality_residual: solved.dual.equality_residual,
-            outer_iterations: solved.dual.outer_iterations,
-            outer_residual: solved.dual.outer_residual,
-            iterations: solved.dual.iterations,
-            n_a: solved.dual.n_a,
-            n_a_setup: solved.dual.n_a_setup,
-            sigma_max: solved.dual.sigma_max,
+            figures: solved.dual.figures,
             states: solved.dual.active_set.counts(),
             records: solved.dual.records,
             kernel_amounts: solved.dual.multiplier,

@@ -1,7 +1,7 @@
 //! `summary.json` of a problem that came as matrices.
 
 use serde::Serialize;
-use tresca_qcqp::{Settings, Status};
+use tresca_qcqp::{Figures, Settings, Status};
 
 use super::{Note, Solution};
 use crate::certificate::Certificate;
@@ -19,24 +19,9 @@ pub struct Summary {
     pub status: Status,
     /// The method.
     pub method: &'static str,
-    /// Iterations.
-    pub iterations: usize,
-    /// Multiplications by A, estimate of σmax included.
-    pub n_a: usize,
-    /// Multiplications that went into the estimate of σmax.
-    pub n_a_setup: usize,
-    /// The estimate of σmax.
-    pub sigma_max: f64,
-    /// ‖r̃(λ)‖ / ‖r̃(0)‖.
-    pub relative_reduced_gradient: f64,
-    /// Residual of the equilibrium of parts that float, on the same scale.
-    pub equality_residual: f64,
-    /// Outer iterations.
-    pub outer_iterations: usize,
-    /// Relative change of the Coulomb bounds in the last of them.
-    pub outer_residual: f64,
-    /// q(λ).
-    pub dual_objective: f64,
+    /// Iterations, multiplications by A, residuals, objective.
+    #[serde(flatten)]
+    pub figures: Figures,
     /// n; left out, as what follows from K, for a pure dual problem.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dofs: Option<usize>,
@@ -117,15 +102,7 @@ impl Summary {
             version: crate::VERSION,
             status: solution.status,
             method: solution.settings.method.name(),
-            iterations: solution.iterations,
-            n_a: solution.n_a,
-            n_a_setup: solution.n_a_setup,
-            sigma_max: solution.sigma_max,
-            relative_reduced_gradient: solution.relative_reduced_gradient,
-            equality_residual: solution.equality_residual,
-            outer_iterations: solution.outer_iterations,
-            outer_residual: solution.outer_residual,
-            dual_objective: solution.dual_objective,
+            figures: solution.figures,
             dofs: description.map(|description| description.dofs),
             bodies: description.map(|description| description.bodies),
             kernel_vectors: description.map(|description| description.rigid_motions),

@@ -10,7 +10,7 @@ use tresca_io::fclib::{Document, Problem};
 use tresca_io::history::{History, Value};
 use tresca_io::{WriteError, summary};
 use tresca_la::vector::norm;
-use tresca_qcqp::{Settings, StateCounts, Status};
+use tresca_qcqp::{Figures, Settings, StateCounts, Status};
 
 use super::{Law, MatrixFacts, Outcome, Residuals};
 use crate::VERSION;
@@ -44,20 +44,9 @@ pub struct Summary {
     pub status: Status,
     /// The method.
     pub method: &'static str,
-    /// Iterations.
-    pub iterations: usize,
-    /// Multiplications by W, estimate of σmax included.
-    pub n_a: usize,
-    /// Multiplications that went into the estimate of σmax.
-    pub n_a_setup: usize,
-    /// Updates of Coulomb bounds.
-    pub outer_iterations: usize,
-    /// Relative change of the Coulomb bounds in the last of them; 0 without Coulomb's law.
-    pub outer_residual: f64,
-    /// ‖r̃(λ)‖ / ‖r̃(0)‖ under the last bounds.
-    pub relative_reduced_gradient: f64,
-    /// ½ rᵀWr + qᵀr.
-    pub objective: f64,
+    /// Iterations, multiplications by W, residuals, and the objective ½ rᵀWr + qᵀr.
+    #[serde(flatten)]
+    pub figures: Figures,
     /// Contacts by their states.
     pub states: StateCounts,
     /// What W is like.
@@ -137,13 +126,7 @@ impl Summary {
             version: VERSION,
             status: solution.status,
             method: solution.settings.method.name(),
-            iterations: solution.iterations,
-            n_a: solution.n_a,
-            n_a_setup: solution.n_a_setup,
-            outer_iterations: solution.outer_iterations,
-            outer_residual: solution.outer_residual,
-            relative_reduced_gradient: solution.relative_reduced_gradient,
-            objective: solution.dual_objective,
+            figures: solution.figures,
             states: solution.states,
             matrix: outcome.matrix,
             residuals: outcome.residuals,

@@ -46,7 +46,7 @@ fn assert_check_values(outcome: &Outcome, relative: f64) {
             "{name}: found {found:.13e}, expected {expected:.13e}"
         );
     };
-    close(summary.last().dual_objective, OBJECTIVE, relative);
+    close(summary.last().figures.objective, OBJECTIVE, relative);
     close(
         summary.last().contact.normal_force_sum,
         NORMAL_FORCE_SUM,
@@ -129,12 +129,15 @@ fn grssn_stays_within_its_budget_of_multiplications() {
     for (tolerance, steps, budget) in [(1e-6, 10, 100), (1e-10, 14, 220)] {
         let grssn = run(Method::Grssn, tolerance);
         let apgd = run(Method::Apgd, tolerance);
-        assert!(grssn.iterations <= steps && grssn.n_a - grssn.n_a_setup <= budget);
         assert!(
-            10 * grssn.n_a <= 6 * apgd.n_a,
+            grssn.figures.iterations <= steps
+                && grssn.figures.n_a - grssn.figures.n_a_setup <= budget
+        );
+        assert!(
+            10 * grssn.figures.n_a <= 6 * apgd.figures.n_a,
             "{} against {}",
-            grssn.n_a,
-            apgd.n_a
+            grssn.figures.n_a,
+            apgd.figures.n_a
         );
     }
 }

@@ -267,7 +267,10 @@ fn units_do_not_matter() {
     });
     let after = solve(&millimetres, Law::Coulomb);
     near(&after.forces, &before.forces, 1e-6);
-    assert_eq!(after.solution.iterations, before.solution.iterations);
+    assert_eq!(
+        after.solution.figures.iterations,
+        before.solution.figures.iterations
+    );
     assert!((after.residuals.scaled / before.residuals.scaled - 1.0).abs() < 1e-3);
 }
 

@@ -60,13 +60,17 @@ fn counts_do_not_depend_on_units_and_the_answer_converts() {
             let solution = &outcome.last().solution;
             assert!(outcome.converged());
             assert!(
-                solution.iterations.abs_diff(reference.iterations) <= 1
-                    && solution.n_a.abs_diff(reference.n_a) <= slack,
+                solution
+                    .figures
+                    .iterations
+                    .abs_diff(reference.figures.iterations)
+                    <= 1
+                    && solution.figures.n_a.abs_diff(reference.figures.n_a) <= slack,
                 "{method} in {units:?}: {} / {} instead of {} / {}",
-                solution.iterations,
-                solution.n_a,
-                reference.iterations,
-                reference.n_a
+                solution.figures.iterations,
+                solution.figures.n_a,
+                reference.figures.iterations,
+                reference.figures.n_a
             );
             let force = units.stress * units.length.powi(2);
             let converted: Vec<f64> = solution.lambda.iter().map(|x| x / force).collect();
@@ -96,17 +100,21 @@ fn coulomb_counts_do_not_depend_on_units() {
         for units in [Units::MILLIMETRE_MEGAPASCAL, Units::SI] {
             let solution = solve_in(units);
             assert_eq!(
-                solution.outer_iterations, reference.outer_iterations,
+                solution.figures.outer_iterations, reference.figures.outer_iterations,
                 "{coulomb}"
             );
             assert!(
-                solution.iterations.abs_diff(reference.iterations) <= 1
-                    && solution.n_a.abs_diff(reference.n_a) <= 2,
+                solution
+                    .figures
+                    .iterations
+                    .abs_diff(reference.figures.iterations)
+                    <= 1
+                    && solution.figures.n_a.abs_diff(reference.figures.n_a) <= 2,
                 "{coulomb} in {units:?}: {} / {} instead of {} / {}",
-                solution.iterations,
-                solution.n_a,
-                reference.iterations,
-                reference.n_a
+                solution.figures.iterations,
+                solution.figures.n_a,
+                reference.figures.iterations,
+                reference.figures.n_a
             );
         }
     }
@@ -144,13 +152,17 @@ fn floating_bodies_do_not_depend_on_units() {
         let outcome = run(&resting(units));
         let solution = &outcome.last().solution;
         assert!(
-            solution.iterations.abs_diff(reference.iterations) <= 2
-                && solution.n_a.abs_diff(reference.n_a) <= 6,
+            solution
+                .figures
+                .iterations
+                .abs_diff(reference.figures.iterations)
+                <= 2
+                && solution.figures.n_a.abs_diff(reference.figures.n_a) <= 6,
             "{units:?}: {} / {} instead of {} / {}",
-            solution.iterations,
-            solution.n_a,
-            reference.iterations,
-            reference.n_a
+            solution.figures.iterations,
+            solution.figures.n_a,
+            reference.figures.iterations,
+            reference.figures.n_a
         );
         let force = units.stress * units.length.powi(2);
         let converted: Vec<f64> = solution.lambda.iter().map(|x| x / force).collect();
@@ -254,10 +266,13 @@ fn one_thread_and_two_give_the_same_counts() {
     };
     let (one, two) = (with_threads(1), with_threads(2));
     assert_eq!(
-        one.last().solution.iterations,
-        two.last().solution.iterations
+        one.last().solution.figures.iterations,
+        two.last().solution.figures.iterations
     );
-    assert_eq!(one.last().solution.n_a, two.last().solution.n_a);
+    assert_eq!(
+        one.last().solution.figures.n_a,
+        two.last().solution.figures.n_a
+    );
     assert_close(
         &one.last().solution.lambda,
         &two.last().solution.lambda,

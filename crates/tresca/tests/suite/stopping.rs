@@ -49,7 +49,7 @@ type End = Result<(Status, usize), Stopped>;
 
 fn case(stop: &mut Stop) -> End {
     match tresca::solve_with(&model(), &settings(), stop) {
-        Ok(outcome) => Ok((outcome.status(), outcome.last().solution.iterations)),
+        Ok(outcome) => Ok((outcome.status(), outcome.last().solution.figures.iterations)),
         Err(SolveError::Stopped(stopped)) => Err(stopped),
         Err(error) => panic!("{error}"),
     }
@@ -59,7 +59,7 @@ fn matrices(stop: &mut Stop) -> End {
     let model = model();
     let assembly = Assembly::new(&model, &model.whole_step()).unwrap();
     match algebraic::solve(&assembly.problem, &settings(), stop) {
-        Ok(solution) => Ok((solution.status, solution.iterations)),
+        Ok(solution) => Ok((solution.status, solution.figures.iterations)),
         Err(AlgebraicError::Stopped(stopped)) => Err(stopped),
         Err(error) => panic!("{error}"),
     }
@@ -73,7 +73,7 @@ fn foreign(stop: &mut Stop) -> End {
     let local = fclib::local_problem(prepared.system().dual()).unwrap();
     let problem = fclib::Problem::Local(local);
     match fclib::solve(&problem, fclib::Law::Coulomb, &settings(), stop) {
-        Ok(outcome) => Ok((outcome.solution.status, outcome.solution.iterations)),
+        Ok(outcome) => Ok((outcome.solution.status, outcome.solution.figures.iterations)),
         Err(ProblemError::Stopped(stopped)) => Err(stopped),
         Err(error) => panic!("{error}"),
     }

@@ -37,10 +37,10 @@ fn both_variants_agree_within_ten_updates() {
         };
         let fixed_point = by(CoulombMethod::FixedPoint);
         let in_loop = by(CoulombMethod::InLoop);
-        let updates = fixed_point.last().solution.outer_iterations;
+        let updates = fixed_point.last().solution.figures.outer_iterations;
         report(&format!(
             "Coulomb, F = {coefficient}: {updates} updates by fixed point, {} steps in the loop",
-            in_loop.last().solution.iterations
+            in_loop.last().solution.figures.iterations
         ));
         assert!(
             (1..=10).contains(&updates),
@@ -82,7 +82,10 @@ fn in_loop_updates_cost_little_more_than_a_tresca_solve() {
         let model = two_bricks_with(9, Units::METRE_MEGAPASCAL, law).unwrap();
         let tresca = tresca::solve_with(&model, &settings, &mut tresca::Silent).unwrap();
         let (ours, theirs) = (&coulomb.last().solution, &tresca.last().solution);
-        let (ours, theirs) = (ours.n_a - ours.n_a_setup, theirs.n_a - theirs.n_a_setup);
+        let (ours, theirs) = (
+            ours.figures.n_a - ours.figures.n_a_setup,
+            theirs.figures.n_a - theirs.figures.n_a_setup,
+        );
         assert!(
             2 * ours <= 5 * theirs,
             "F = {coefficient}: {ours} against {theirs}"

@@ -37,7 +37,7 @@ fn bricks(law: &str) -> tresca::case::Case {
 fn without_friction_steps_do_not_remember() {
     let outcome = solved(&bricks("law = \"frictionless\""));
     assert_eq!(outcome.steps.len(), 4);
-    let energy = |k: usize| outcome.steps[k].solution.objective;
+    let energy = |k: usize| outcome.steps[k].solution.figures.objective;
     assert_close(energy(3), energy(1), 1e-8);
     assert_close(energy(0), 0.25 * energy(1), 1e-6);
     assert!(
@@ -89,11 +89,11 @@ fn later_steps_are_cheaper_than_the_first() {
         settings.engine = tresca::Engine::Condensed
     });
     let outcome = solved_with(&case, &condensed);
-    let work = |k: usize| outcome.steps[k].solution.n_a;
+    let work = |k: usize| outcome.steps[k].solution.figures.n_a;
     assert!(
         outcome.steps[1..]
             .iter()
-            .all(|step| step.solution.n_a_setup == 0)
+            .all(|step| step.solution.figures.n_a_setup == 0)
     );
     assert!(
         work(1) < work(0) && work(3) < work(0),
@@ -115,6 +115,7 @@ fn slip_bounds_may_change() {
         solved(&variant("two-bricks.toml", &all))
             .last()
             .solution
+            .figures
             .objective
     };
     let named = ("[[contact]]\n", "[[contact]]\nname = \"joint\"\n");

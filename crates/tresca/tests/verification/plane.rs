@@ -92,6 +92,6 @@ fn plane_stress_is_softer() {
         "two-rectangles.toml",
         &[("plane_strain", "plane_stress")],
     ));
-    let energy = |outcome: &tresca::Outcome| -outcome.last().solution.objective;
+    let energy = |outcome: &tresca::Outcome| -outcome.last().solution.figures.objective;
     assert!(energy(&stress) > 1.02 * energy(&strain));
 }

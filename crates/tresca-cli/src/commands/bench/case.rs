@@ -48,9 +48,9 @@ fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
             step.number,
             solution.method,
             settings.tolerance,
-            solution.iterations,
-            solution.n_a - solution.n_a_setup,
-            solution.n_a_setup,
+            solution.figures.iterations,
+            solution.figures.n_a - solution.figures.n_a_setup,
+            solution.figures.n_a_setup,
             solution.status
         );
     }

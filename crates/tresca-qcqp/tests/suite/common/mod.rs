@@ -5,7 +5,7 @@ pub mod oracle;
 pub mod problems;
 
 use tresca_qcqp::operator::Dense;
-use tresca_qcqp::{DualProblem, Method, ProductSet, Settings, Silent, Solution, solve};
+use tresca_qcqp::{DualProblem, DualSolution, Method, ProductSet, Settings, Silent, solve};
 
 /// A problem as plain data: a dense matrix, row by row, b and Λ.
 #[derive(Clone, Debug)]
@@ -34,7 +34,7 @@ impl Plain {
         DualProblem::new(Dense::new(self.packed()), self.b.clone(), self.set.clone()).unwrap()
     }
 
-    pub fn solve(&self, settings: &Settings, start: Option<&[f64]>) -> Solution {
+    pub fn solve(&self, settings: &Settings, start: Option<&[f64]>) -> DualSolution {
         solve(
             &mut self.problem(),
             settings,

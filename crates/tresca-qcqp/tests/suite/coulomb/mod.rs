@@ -7,8 +7,8 @@ use crate::common::{Plain, distance, norm, oracle};
 use std::ops::ControlFlow;
 use tresca_qcqp::sets::BlockState;
 use tresca_qcqp::{
-    CoulombBound, CoulombMethod, DualProblem, InnerSolver, IterationRecord, Method, ProductSet,
-    QcqpError, Settings, Silent, Solution, Start, Status, solve,
+    CoulombBound, CoulombMethod, DualProblem, DualSolution, InnerSolver, IterationRecord, Method,
+    ProductSet, QcqpError, Settings, Silent, Start, Status, solve,
 };
 
 const METHODS: [CoulombMethod; 2] = [CoulombMethod::FixedPoint, CoulombMethod::InLoop];
@@ -40,14 +40,14 @@ fn run(
     plain: &Plain,
     law: Vec<CoulombBound>,
     settings: &Settings,
-) -> (DualProblem<'static>, Solution) {
+) -> (DualProblem<'static>, DualSolution) {
     let mut problem = plain.problem().with_coulomb(law).unwrap();
     let solution = solve(&mut problem, settings, None, &mut Silent).unwrap();
     (problem, solution)
 }
 
 /// The bounds of the problem are those that follow from λ.
-fn assert_bounds_follow(problem: &DualProblem, solution: &Solution, tolerance: f64) {
+fn assert_bounds_follow(problem: &DualProblem, solution: &DualSolution, tolerance: f64) {
     let (mut off, mut size) = (0.0, 0.0);
     for bound in problem.coulomb() {
         let follows = (bound.coefficient * solution.lambda[bound.normal].max(0.0)).min(bound.limit);
@@ -77,7 +77,7 @@ fn the_solution_is_that_of_the_problem_with_its_own_bounds() {
             };
             let (problem, solution) = run(&plain, half.law(coefficient), &settings);
             assert_eq!(solution.status, Status::Converged, "{what}");
-            assert!(solution.outer_residual <= 1e-9, "{what}");
+            assert!(solution.figures.outer_residual <= 1e-9, "{what}");
             assert_bounds_follow(&problem, &solution, 1e-9);
             let frozen = Plain {
                 set: problem.set().clone(),
@@ -89,7 +89,8 @@ fn the_solution_is_that_of_the_problem_with_its_own_bounds() {
             assert!(off <= 1e-4, "{what}: off by {off:.1e}");
             let gap = frozen.objective(&solution.lambda) - frozen.objective(&reference);
             assert!(gap <= 1e-12, "{what}: objective higher by {gap:.1e}");
-            let seen = frozen.relative_reduced_gradient(&solution.lambda, 1.0 / solution.sigma_max);
+            let seen = frozen
+                .relative_reduced_gradient(&solution.lambda, 1.0 / solution.figures.sigma_max);
             assert!(seen <= 1.1e-10, "{what}: reduced gradient {seen:.1e}");
             let counts = solution.active_set.counts();
             assert!(
@@ -119,7 +120,7 @@ fn both_ways_agree_and_keep_to_their_work() {
                         ..plain.clone()
                     };
                     let tresca = frozen.solve(&settings, None);
-                    let work = solution.n_a as f64 / tresca.n_a as f64;
+                    let work = solution.figures.n_a as f64 / tresca.figures.n_a as f64;
                     let allowed = if coulomb == CoulombMethod::InLoop {
                         2.5
                     } else {
@@ -133,11 +134,11 @@ fn both_ways_agree_and_keep_to_their_work() {
                 });
                 let [fixed_point, in_loop] = &solutions;
                 assert!(
-                    fixed_point.outer_iterations <= 10,
+                    fixed_point.figures.outer_iterations <= 10,
                     "{} outer iterations",
-                    fixed_point.outer_iterations
+                    fixed_point.figures.outer_iterations
                 );
-                assert_eq!(in_loop.outer_iterations, in_loop.iterations);
+                assert_eq!(in_loop.figures.outer_iterations, in_loop.figures.iterations);
                 let off = distance(&fixed_point.lambda, &in_loop.lambda) / norm(&in_loop.lambda);
                 assert!(off <= 3e-6, "off by {off:.1e}");
             }
@@ -233,7 +234,10 @@ fn a_load_step_starts_from_the_last_one() {
             &mut Silent,
         )
         .unwrap();
-        assert_eq!((warm.status, warm.n_a_setup), (Status::Converged, 0));
+        assert_eq!(
+            (warm.status, warm.figures.n_a_setup),
+            (Status::Converged, 0)
+        );
         assert_bounds_follow(&problem, &warm, 1e-6);
         let (_, cold) = run(
             &Plain {
@@ -248,10 +252,10 @@ fn a_load_step_starts_from_the_last_one() {
             "{coulomb}"
         );
         assert!(
-            warm.n_a < cold.n_a,
+            warm.figures.n_a < cold.figures.n_a,
             "{coulomb}: {} and {}",
-            warm.n_a,
-            cold.n_a
+            warm.figures.n_a,
+            cold.figures.n_a
         );
         // Nothing new: nothing to do.
         let again = solve(
@@ -262,7 +266,7 @@ fn a_load_step_starts_from_the_last_one() {
         )
         .unwrap();
         assert_eq!(again.status, Status::Converged);
-        assert!(again.n_a <= 8, "{coulomb}: {}", again.n_a);
+        assert!(again.figures.n_a <= 8, "{coulomb}: {}", again.figures.n_a);
     }
 }
 
@@ -274,7 +278,10 @@ fn a_body_that_does_not_touch_needs_no_bounds() {
     plain.b[..m].iter_mut().for_each(|b| *b = -b.abs());
     for coulomb in METHODS {
         let (problem, solution) = run(&plain, half.law(0.5), &settings(coulomb));
-        assert_eq!((solution.status, solution.n_a), (Status::Converged, 0));
+        assert_eq!(
+            (solution.status, solution.figures.n_a),
+            (Status::Converged, 0)
+        );
         assert!(solution.lambda.iter().all(|&l| l == 0.0));
         assert!(
             problem
@@ -320,7 +327,7 @@ fn the_observer_can_stop_between_bounds() {
         if coulomb == CoulombMethod::FixedPoint {
             let (_, solution) = run(&plain, half.law(0.6), &limited);
             assert_eq!(
-                (solution.status, solution.outer_iterations),
+                (solution.status, solution.figures.outer_iterations),
                 (Status::IterationLimit, 2)
             );
         }

@@ -30,7 +30,7 @@ fn a_cycle_of_the_bounds_is_recognised() {
     for coulomb in METHODS {
         let (problem, solution) = run(&plain, law.clone(), &settings(coulomb));
         assert_eq!(solution.status, Status::CoulombCycles, "{coulomb}");
-        assert!(!solution.status.is_converged() && solution.outer_residual > 0.1);
+        assert!(!solution.status.is_converged() && solution.figures.outer_residual > 0.1);
         assert!(problem.set().contains(&solution.lambda));
         // Less friction settles: λν = 1/(1 + Fk).
         let less = vec![CoulombBound {
@@ -48,7 +48,12 @@ fn a_cycle_of_the_bounds_is_recognised() {
 #[test]
 fn a_loop_that_brings_nothing_is_given_up_early() {
     let (plain, law) = cycling();
-    let steps = |coulomb| run(&plain, law.clone(), &settings(coulomb)).1.iterations;
+    let steps = |coulomb| {
+        run(&plain, law.clone(), &settings(coulomb))
+            .1
+            .figures
+            .iterations
+    };
     let [alone, fixed, both] = [
         CoulombMethod::InLoop,
         CoulombMethod::FixedPoint,
@@ -180,7 +185,7 @@ fn bounds_settle_under_a_loose_tolerance() {
                 Status::Converged,
                 "{coulomb}, {inner_solver}"
             );
-            assert!(solution.relative_reduced_gradient <= 1e-2);
+            assert!(solution.figures.relative_reduced_gradient <= 1e-2);
             assert_bounds_follow(&problem, &solution, 1e-6);
         }
     }

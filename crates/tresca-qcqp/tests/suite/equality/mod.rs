@@ -8,8 +8,8 @@ use crate::common::{distance, dot, norm, oracle, settings};
 use std::ops::ControlFlow;
 use tresca_qcqp::sets::{Block, BlockSet};
 use tresca_qcqp::{
-    Equality, InnerSolver, IterationRecord, Method, ProductSet, QcqpError, Settings, Silent,
-    Solution, Start, Status, solve,
+    DualSolution, Equality, InnerSolver, IterationRecord, Method, ProductSet, QcqpError, Settings,
+    Silent, Start, Status, solve,
 };
 
 /// A random problem with `count` random rows; e is what a random λ ∈ Λ gives, times `beyond`.
@@ -28,7 +28,7 @@ fn random_floating(kind: Kind, count: usize, beyond: f64, seed: u64) -> Floating
 }
 
 /// The conditions of the problem, without any code of the methods.
-fn assert_solves(floating: &Floating, solution: &Solution, tolerance: f64, what: &str) {
+fn assert_solves(floating: &Floating, solution: &DualSolution, tolerance: f64, what: &str) {
     assert_eq!(solution.status, Status::Converged, "{what}");
     let plain = &floating.plain;
     assert!(plain.set.contains(&solution.lambda), "{what}: not feasible");
@@ -45,8 +45,8 @@ fn assert_solves(floating: &Floating, solution: &Solution, tolerance: f64, what:
         "{what}: gradient"
     );
     // Without an estimate any ρ will do.
-    let rho = if solution.sigma_max > 0.0 {
-        1.0 / solution.sigma_max
+    let rho = if solution.figures.sigma_max > 0.0 {
+        1.0 / solution.figures.sigma_max
     } else {
         1.0
     };
@@ -69,7 +69,7 @@ fn assert_solves(floating: &Floating, solution: &Solution, tolerance: f64, what:
     );
     let q = plain.objective(&solution.lambda);
     assert!(
-        (q - solution.objective).abs() <= 1e-9 * q.abs().max(1.0),
+        (q - solution.figures.objective).abs() <= 1e-9 * q.abs().max(1.0),
         "{what}: objective"
     );
 }
@@ -102,13 +102,13 @@ fn every_kind_agrees_with_the_conic_solver() {
                         solve(&mut floating.problem(), &settings, None, &mut Silent).unwrap();
                     assert_solves(&floating, &solution, 1e-9, &what);
                     assert_eq!(solution.multiplier.len(), count);
-                    assert!(solution.equality_residual <= 1e-9, "{what}");
+                    assert!(solution.figures.equality_residual <= 1e-9, "{what}");
                     let off = distance(&solution.lambda, &reference) / norm(&reference).max(1.0);
                     // Bounds far away are hard for the conic solver.
                     let allowed = if kind == Kind::AllStick { 1e-2 } else { 1e-5 };
                     assert!(off <= allowed, "{what}: off by {off:.1e}");
-                    let gap = solution.objective - floating.plain.objective(&reference);
-                    let size = solution.objective.abs().max(1.0);
+                    let gap = solution.figures.objective - floating.plain.objective(&reference);
+                    let size = solution.figures.objective.abs().max(1.0);
                     assert!(gap <= 1e-7 * size, "{what}: objective higher by {gap:.1e}");
                     assert!(gap >= -1e-4 * size, "{what}: objective lower by {gap:.1e}");
                 }
@@ -136,10 +136,10 @@ fn a_distant_block_lands_as_a_near_one() {
     };
     let near = solve_at(0.0);
     assert!(
-        near.outer_iterations <= 8 && near.n_a <= 130,
+        near.figures.outer_iterations <= 8 && near.figures.n_a <= 130,
         "{} {}",
-        near.outer_iterations,
-        near.n_a
+        near.figures.outer_iterations,
+        near.figures.n_a
     );
     for gap in [-0.3, 1e-3, 10.0, 1e4] {
         let far = solve_at(gap);
@@ -150,10 +150,10 @@ fn a_distant_block_lands_as_a_near_one() {
         // The block has moved down by just that much more.
         assert!((far.multiplier[2] + gap - near.multiplier[2]).abs() <= 1e-6 * gap.abs().max(1.0));
         assert!(
-            far.n_a <= near.n_a + 40,
+            far.figures.n_a <= near.figures.n_a + 40,
             "gap {gap}: {} products, not {}",
-            far.n_a,
-            near.n_a
+            far.figures.n_a,
+            near.figures.n_a
         );
     }
 }
@@ -218,7 +218,7 @@ fn a_second_solve_starts_where_the_first_one_ended() {
         &mut Silent,
     )
     .unwrap();
-    assert_eq!((again.n_a_setup, again.iterations), (0, 0));
+    assert_eq!((again.figures.n_a_setup, again.figures.iterations), (0, 0));
     assert_eq!(again.status, Status::Converged);
 
     // A heavier block: new e, new b, the old solution as a start.
@@ -242,7 +242,12 @@ fn a_second_solve_starts_where_the_first_one_ended() {
     assert_solves(&heavier, &warm, 1e-8, "warm");
     let cold = solve(&mut heavier.problem(), &settings, None, &mut Silent).unwrap();
     assert!(distance(&warm.lambda, &cold.lambda) <= 1e-6 * norm(&cold.lambda));
-    assert!(warm.n_a < cold.n_a, "{} and {}", warm.n_a, cold.n_a);
+    assert!(
+        warm.figures.n_a < cold.figures.n_a,
+        "{} and {}",
+        warm.figures.n_a,
+        cold.figures.n_a
+    );
 }
 
 #[test]
@@ -285,12 +290,18 @@ fn units_change_neither_counts_nor_verdicts() {
             for (length, force) in [(2f64.powi(40), 2f64.powi(-18)), (1e3, 1e6)] {
                 let solution = run(build(length, force));
                 assert_eq!(solution.status, reference.status);
-                assert!(solution.iterations.abs_diff(reference.iterations) <= 1);
                 assert!(
-                    solution.n_a.abs_diff(reference.n_a) <= 6,
+                    solution
+                        .figures
+                        .iterations
+                        .abs_diff(reference.figures.iterations)
+                        <= 1
+                );
+                assert!(
+                    solution.figures.n_a.abs_diff(reference.figures.n_a) <= 6,
                     "{} and {}",
-                    solution.n_a,
-                    reference.n_a
+                    solution.figures.n_a,
+                    reference.figures.n_a
                 );
                 let scaled: Vec<f64> = reference.lambda.iter().map(|l| l * force).collect();
                 assert!(distance(&solution.lambda, &scaled) <= 1e-5 * norm(&scaled));
@@ -318,7 +329,7 @@ fn records_run_on_and_the_observer_can_stop_anywhere() {
         assert!(pair[1].outer == pair[0].outer || pair[1].outer == pair[0].outer + 1);
     }
     let problems = whole.records.last().unwrap().outer + 1;
-    assert_eq!(whole.iterations + problems, whole.records.len());
+    assert_eq!(whole.figures.iterations + problems, whole.records.len());
     for stop in 0..whole.records.len() - 1 {
         let mut seen = Vec::new();
         let mut observer = |record: &IterationRecord| {
@@ -354,7 +365,7 @@ fn records_run_on_and_the_observer_can_stop_anywhere() {
     };
     let solution = solve(&mut floating.problem(), &limited, None, &mut Silent).unwrap();
     assert_eq!(
-        (solution.status, solution.iterations),
+        (solution.status, solution.figures.iterations),
         (Status::IterationLimit, 2)
     );
 }

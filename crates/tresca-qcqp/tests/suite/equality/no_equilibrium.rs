@@ -41,7 +41,7 @@ fn loads_that_nothing_holds_are_proved_so() {
 }
 
 /// eᵀv > sup over Λ of λᵀGᵀv, computed here.
-fn assert_proof(floating: &Floating, solution: &Solution) {
+fn assert_proof(floating: &Floating, solution: &DualSolution) {
     let Equality { rows, rhs, .. } = &floating.equality;
     let motion = solution.motion.as_ref().expect("a proof");
     assert!((norm(motion) - 1.0).abs() <= 1e-12);
@@ -130,7 +130,7 @@ fn the_limit_load_is_sharp() {
     assert_eq!(solution.status, Status::NoEquilibrium);
     assert_proof(&frictionless, &solution);
     assert_eq!(
-        solution.n_a - solution.n_a_setup,
+        solution.figures.n_a - solution.figures.n_a_setup,
         0,
         "λ = 0 is nearest, and costs nothing"
     );

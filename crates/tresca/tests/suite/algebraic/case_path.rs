@@ -50,7 +50,7 @@ fn two_bricks_are_the_same_by_every_engine() {
                 "{:?}",
                 solution.certificate
             );
-            solution.n_a
+            solution.figures.n_a
         });
         // Patches by the graph of K are about as good as those by the places of the pairs.
         assert!(4 * counts[1] <= 5 * counts[0], "{engine}: {counts:?}");

@@ -117,9 +117,9 @@ fn a_start_at_the_solution_ends_at_once() {
         let again = solve_dual(dual.with_start(first.forces()), &settings, &mut Silent).unwrap();
         assert!(again.converged());
         assert!(
-            again.iterations <= 2,
+            again.figures.iterations <= 2,
             "{laws:?}: {} iterations",
-            again.iterations
+            again.figures.iterations
         );
     }
 }

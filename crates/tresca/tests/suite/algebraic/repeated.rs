@@ -73,12 +73,12 @@ fn a_start_at_the_solution_ends_at_once() {
             let warm = run(&problem.clone().with_start(first.forces()));
             assert!(cold.converged() && warm.converged());
             assert!(
-                warm.iterations <= 2,
+                warm.figures.iterations <= 2,
                 "{laws:?}, kernel {kernel}: {} iterations",
-                warm.iterations
+                warm.figures.iterations
             );
             assert!(
-                warm.iterations < cold.iterations,
+                warm.figures.iterations < cold.figures.iterations,
                 "{laws:?}, kernel {kernel}"
             );
         }
