@@ -1,1 +1,2 @@
-RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
+# By a configuration, which adds to flags of .cargo/config.toml; the environment variable would replace them.
+cargo doc --workspace --no-deps --config 'build.rustdocflags = ["--deny=warnings"]'
