@@ -217,7 +217,7 @@ fn without_hdf5_the_program_says_how_to_get_it() {
     let output = scene.tresca(&["solve", data("local_h5py.hdf5").to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        stderr(&output).contains("--features fclib"),
+        stderr(&output).contains("build with the feature `fclib`"),
         "{}",
         stderr(&output)
     );

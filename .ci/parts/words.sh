@@ -1,0 +1,2 @@
+tools=$(.ci/environment tools)
+"$tools/typos" --format brief
