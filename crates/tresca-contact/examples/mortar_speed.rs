@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 
 use tresca_contact::{
-    CouplingMethod, Field, FrictionLaw, Interface, Side, couple, facing_surfaces,
+    CouplingMethod, FrictionLaw, Interface, ScalarField, Side, couple, facing_surfaces,
 };
 use tresca_fem::dofs::DofMap;
 use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Mesh, brick};
@@ -35,11 +35,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 mesh,
                 faces,
                 dofs,
+                patches: None,
                 taken: &[],
             };
             let interface = Interface {
                 friction: &FrictionLaw::Frictionless,
-                gap: &Field::Constant(0.0),
+                gap: &ScalarField::Constant(0.0),
             };
             let start = Instant::now();
             let data = couple(

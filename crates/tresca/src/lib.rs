@@ -70,7 +70,7 @@ pub use summary::Summary;
 pub use surface_fields::SurfaceFields;
 pub use two_bricks::two_bricks;
 
-pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
+pub use tresca_contact::{CouplingMethod, Frame, FrictionLaw, RigidShape, ScalarField, Sliding};
 pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_qcqp::{

@@ -1,6 +1,6 @@
 //! What acts in a load step: forces, prescribed displacements, slip bounds.
 
-use tresca_contact::{Field, Sliding};
+use tresca_contact::{ScalarField, Sliding};
 use tresca_fem::{assembly, loads};
 use tresca_la::vector::{axpy, dot};
 
@@ -186,10 +186,10 @@ fn add(
         LoadKind::Pressure { on, value: own } => {
             let pressure = |x| match (value, own) {
                 (Some(value), _) => value[0],
-                (None, Field::Constant(value)) => *value,
-                (None, Field::Function(function)) => function(x),
+                (None, ScalarField::Constant(value)) => *value,
+                (None, ScalarField::Function(function)) => function(x),
                 // `Model::add_load` refuses it.
-                (None, Field::Values(_)) => f64::NAN,
+                (None, ScalarField::Values(_)) => f64::NAN,
             };
             for surface in on.iter().filter(|surface| surface.body == index) {
                 let part = loads::pressure_field(mesh, model.faces(surface), pressure);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tresca_contact::{CouplingMethod, FrictionLaw, Obstacle, RigidSurface};
+use tresca_contact::{CouplingMethod, FrictionLaw, RigidShape, RigidSurface};
 use tresca_fem::FemError;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
@@ -199,7 +199,7 @@ impl Builder<'_> {
     fn obstacles(&self, model: &mut Model) -> Result<(), CaseError> {
         for own in &self.file.obstacles {
             let shape = match &own.shape {
-                ObstacleShape::Plane { point, normal } => Obstacle::Plane {
+                ObstacleShape::Plane { point, normal } => RigidShape::Plane {
                     point: *point,
                     normal: *normal,
                 },
@@ -207,7 +207,7 @@ impl Builder<'_> {
                     center,
                     radius,
                     inside,
-                } => Obstacle::Sphere {
+                } => RigidShape::Sphere {
                     center: *center,
                     radius: *radius,
                     inside: *inside,
@@ -217,13 +217,13 @@ impl Builder<'_> {
                     axis,
                     radius,
                     inside,
-                } => Obstacle::Cylinder {
+                } => RigidShape::Cylinder {
                     point: *point,
                     axis: *axis,
                     radius: *radius,
                     inside: *inside,
                 },
-                ObstacleShape::Surface(surface) => Obstacle::Surface(RigidSurface {
+                ObstacleShape::Surface(surface) => RigidShape::Surface(RigidSurface {
                     points: surface.points.clone(),
                     faces: surface.faces.clone(),
                 }),
@@ -326,12 +326,12 @@ fn same<T>(amount: case::Amount<T>) -> Amount<T> {
     }
 }
 
-fn field(own: &case::Field) -> tresca_contact::Field {
+fn field(own: &case::Field) -> tresca_contact::ScalarField {
     match own {
         case::Field::Constant(value) => (*value).into(),
         varying => {
             let varying = varying.clone();
-            tresca_contact::Field::Function(Arc::new(move |point| varying.at(point)))
+            tresca_contact::ScalarField::Function(Arc::new(move |point| varying.at(point)))
         }
     }
 }

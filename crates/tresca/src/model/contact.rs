@@ -1,6 +1,6 @@
 //! Contacts: which surfaces may touch what, and how they rub.
 
-use tresca_contact::{CouplingMethod, Field, FrictionLaw, facing_surfaces};
+use tresca_contact::{CouplingMethod, FrictionLaw, ScalarField, facing_surfaces};
 
 use super::{Model, Surface, SurfaceRef};
 use crate::ModelError;
@@ -11,7 +11,7 @@ pub struct Obstacle {
     /// Name, unique among bodies and obstacles.
     pub name: String,
     /// Where its surface is.
-    pub shape: tresca_contact::Obstacle,
+    pub shape: tresca_contact::RigidShape,
     /// Its displacement (a length); load steps scale or replace it. Small, as all displacements are:
     /// the surface is looked at where it was.
     pub motion: [f64; 3],
@@ -48,7 +48,7 @@ pub struct Contact {
     /// The friction law.
     pub friction: FrictionLaw,
     /// Added to the gap between the surfaces (a length); negative for an interference.
-    pub gap: Field,
+    pub gap: ScalarField,
     /// How the two surfaces are coupled.
     pub coupling: CouplingMethod,
     /// Largest distance (a length) at which they are coupled; `None`: by the size of their faces.
@@ -82,7 +82,7 @@ pub struct ContactSpec<'a> {
     /// The friction law.
     pub friction: FrictionLaw,
     /// Added to the gap between the surfaces.
-    pub gap: Field,
+    pub gap: ScalarField,
     /// How the two surfaces are coupled.
     pub coupling: CouplingMethod,
     /// Largest distance at which they are coupled.
@@ -101,7 +101,7 @@ impl<'a> ContactSpec<'a> {
             slave,
             master: master.into(),
             friction,
-            gap: Field::Constant(0.0),
+            gap: ScalarField::Constant(0.0),
             coupling: CouplingMethod::Auto,
             search: None,
         }
@@ -116,7 +116,7 @@ impl Model {
     pub fn add_obstacle(
         &mut self,
         name: impl Into<String>,
-        shape: tresca_contact::Obstacle,
+        shape: tresca_contact::RigidShape,
         motion: [f64; 3],
     ) -> Result<&mut Self, ModelError> {
         let name = name.into();
@@ -191,7 +191,7 @@ impl Model {
         bodies: &[&str],
         name: Option<&str>,
         friction: &FrictionLaw,
-        gap: &Field,
+        gap: &ScalarField,
         coupling: CouplingMethod,
     ) -> Result<usize, ModelError> {
         let chosen: Vec<usize> = if bodies.is_empty() {

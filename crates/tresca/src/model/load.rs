@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use tresca_contact::Field;
+use tresca_contact::ScalarField;
 
 use super::Surface;
 
@@ -61,7 +61,7 @@ pub enum LoadKind {
         /// Where it acts.
         on: Vec<Surface>,
         /// The pressure, a constant or a function.
-        value: Field,
+        value: ScalarField,
     },
     /// A force per volume, global components.
     BodyForce {

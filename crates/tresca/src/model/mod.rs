@@ -6,7 +6,7 @@ mod load;
 pub use contact::{Contact, ContactSpec, Obstacle, Partner, PartnerRef};
 pub use load::{Amount, Load, LoadKind, Step, Support, VectorField};
 
-use tresca_contact::{Field, FrictionLaw};
+use tresca_contact::{FrictionLaw, ScalarField};
 use tresca_fem::assembly::Formulation;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{Face, Mesh, Space};
@@ -204,9 +204,9 @@ impl Model {
                 }
             }
             LoadKind::Pressure { value, .. } => match value {
-                Field::Constant(value) => self.check_components(&[*value, 0.0, 0.0])?,
-                Field::Function(_) => {}
-                Field::Values(_) => return Err(ModelError::PressureByValues),
+                ScalarField::Constant(value) => self.check_components(&[*value, 0.0, 0.0])?,
+                ScalarField::Function(_) => {}
+                ScalarField::Values(_) => return Err(ModelError::PressureByValues),
             },
             LoadKind::BodyForce { value, .. } => self.check_components(value)?,
             LoadKind::Gravity { bodies, value } => {

@@ -2,7 +2,7 @@
 
 use super::support::{assert_close, report, settings, solved, solved_with, variant};
 use tresca::two_bricks::{Units, two_bricks_with};
-use tresca::{CoulombMethod, Engine, Field, FrictionLaw, Outcome};
+use tresca::{CoulombMethod, Engine, FrictionLaw, Outcome, ScalarField};
 
 fn bricks(coefficient: &str) -> tresca::case::Case {
     let law = ("coefficient = 0.3", coefficient);
@@ -78,7 +78,7 @@ fn in_loop_updates_cost_little_more_than_a_tresca_solve() {
             .pairs()
             .map(|pair| pair.slip_bounds.unwrap()[0] / pair.pair.area)
             .collect();
-        let law = FrictionLaw::tresca(Field::Values(bounds));
+        let law = FrictionLaw::tresca(ScalarField::Values(bounds));
         let model = two_bricks_with(9, Units::METRE_MEGAPASCAL, law).unwrap();
         let tresca::Run::Finished(tresca) =
             tresca::solve(&model, &settings, &mut tresca::Silent).unwrap()

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use tresca::material::Isotropic;
 use tresca::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
 use tresca::model::{ContactSpec, PartnerRef};
-use tresca::{FrictionLaw, Model, Obstacle, Outcome, Run, Settings, Silent, SurfaceRef};
+use tresca::{FrictionLaw, Model, Outcome, RigidShape, Run, Settings, Silent, SurfaceRef};
 
 use super::support::{assert_close, digits, report};
 
@@ -92,7 +92,7 @@ fn on_plane(space: Space, kind: CellKind, cells: usize, focus: f64, approach: f6
     model.support(None, &[face("x-")], axis).unwrap();
     let pushed = [None, Some(-approach), None];
     model.support(None, &[face("y+")], pushed).unwrap();
-    let plane = Obstacle::Plane {
+    let plane = RigidShape::Plane {
         point: [0.0; 3],
         normal: [0.0, 1.0, 0.0],
     };

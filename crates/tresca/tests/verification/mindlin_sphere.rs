@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, Mesh, brick};
 use tresca::model::ContactSpec;
-use tresca::{Field, FrictionLaw, Model, Outcome, Run, Settings, Silent, SurfaceRef};
+use tresca::{FrictionLaw, Model, Outcome, Run, ScalarField, Settings, Silent, SurfaceRef};
 
 use super::support::report;
 
@@ -92,7 +92,7 @@ fn two_balls_slip_in_a_ring() {
         for pair in pressed.last().pairs() {
             bounds[pair.pair.slave_node] = FRICTION * pair.pressure();
         }
-        let law = FrictionLaw::tresca(Field::Values(bounds));
+        let law = FrictionLaw::tresca(ScalarField::Values(bounds));
         let shifted = solved(cells, approach, shift, law);
         let [load, of_pressure] = moments(&shifted, |pair| pair.normal_force);
         let [pull, of_traction] = moments(&shifted, |pair| pair.friction_force[0]);

@@ -5,7 +5,7 @@ use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
 use tresca::model::{ContactSpec, LoadKind};
 use tresca::{
-    CouplingMethod, Field, FrictionLaw, Model, Outcome, Run, Settings, Silent, SurfaceRef,
+    CouplingMethod, FrictionLaw, Model, Outcome, Run, ScalarField, Settings, Silent, SurfaceRef,
 };
 
 use super::support::report;
@@ -50,7 +50,7 @@ fn blocks(upper: Cells, lower: Cells, slope: f64, law: FrictionLaw) -> Model {
         .support(None, &[face("lower", "z-")], roller(2))
         .unwrap();
     let on = vec![model.resolve(face("upper", "z+")).unwrap()];
-    let value = Field::Constant(PRESSURE);
+    let value = ScalarField::Constant(PRESSURE);
     model
         .add_load(None, LoadKind::Pressure { on, value })
         .unwrap();
@@ -168,7 +168,7 @@ fn a_constant_pressure_crosses_an_interface_in_the_plane() {
             let held = [None, Some(0.0), None];
             model.support(None, &[face("lower", "y-")], held).unwrap();
             let on = vec![model.resolve(face("upper", "y+")).unwrap()];
-            let value = Field::Constant(PRESSURE);
+            let value = ScalarField::Constant(PRESSURE);
             model
                 .add_load(None, LoadKind::Pressure { on, value })
                 .unwrap();
@@ -229,7 +229,7 @@ fn a_face_cut_in_two_carries_what_it_did_in_one_piece() {
             .support(None, &[face("lower", "z-")], [None, None, Some(0.0)])
             .unwrap();
         let on = vec![model.resolve(face("upper", "z+")).unwrap()];
-        let value = Field::Constant(PRESSURE);
+        let value = ScalarField::Constant(PRESSURE);
         model
             .add_load(None, LoadKind::Pressure { on, value })
             .unwrap();

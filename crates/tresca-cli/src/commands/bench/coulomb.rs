@@ -2,7 +2,9 @@
 
 use miette::{IntoDiagnostic, miette};
 use tresca::two_bricks::{Units, two_bricks_with};
-use tresca::{CoulombMethod, Field, FrictionLaw, Model, Outcome, PairState, Run, Settings, Silent};
+use tresca::{
+    CoulombMethod, FrictionLaw, Model, Outcome, PairState, Run, ScalarField, Settings, Silent,
+};
 
 use crate::args::{CoulombArguments, use_threads};
 
@@ -50,7 +52,7 @@ fn row(s: usize, coefficient: f64, arguments: &CoulombArguments) -> miette::Resu
     let in_loop = solve(&model, &settings(CoulombMethod::InLoop))?;
     let bound = |pair: &PairState| pair.slip_bounds.map_or(0.0, |[a, _]| a) / pair.pair.area;
     let bounds = fixed_point.last().pairs().map(bound).collect();
-    let frozen = bricks(FrictionLaw::tresca(Field::Values(bounds)))?;
+    let frozen = bricks(FrictionLaw::tresca(ScalarField::Values(bounds)))?;
     let tresca = solve(&frozen, &settings(CoulombMethod::FixedPoint))?;
 
     let work = |outcome: &Outcome| {
