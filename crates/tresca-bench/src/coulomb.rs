@@ -1,7 +1,7 @@
 //! What Coulomb's law costs beside Tresca's on the two bricks.
 
 use tresca::{
-    CoulombMethod, Engine, Field, FrictionLaw, Model, Outcome, PairState, Settings, Silent,
+    CoulombMethod, Engine, FrictionLaw, Model, Outcome, PairState, ScalarField, Settings, Silent,
 };
 
 use crate::BenchError;
@@ -36,7 +36,7 @@ impl Comparison {
         let in_loop = solve(&model, &settings(CoulombMethod::InLoop))?;
         let bound = |pair: &PairState| pair.slip_bounds.map_or(0.0, |[a, _]| a) / pair.pair.area;
         let bounds = fixed_point.last().pairs().map(bound).collect();
-        let frozen = bricks(FrictionLaw::tresca(Field::Values(bounds)))?;
+        let frozen = bricks(FrictionLaw::tresca(ScalarField::Values(bounds)))?;
         let frozen = solve(&frozen, &settings(CoulombMethod::FixedPoint))?;
         Ok(Self {
             fixed_point,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     Analysis, Body, CaseError, CaseFile, Coupling, Friction, ObstacleShape, Partners, Span, Surface,
 };
-use tresca_contact::{CouplingMethod, FrictionLaw, Obstacle, RigidSurface};
+use tresca_contact::{CouplingMethod, FrictionLaw, RigidShape, RigidSurface};
 use tresca_fem::FemError;
 use tresca_fem::material::Isotropic;
 use tresca_fem::mesh::{self, BrickSpec, RectangleSpec, Space};
@@ -177,7 +177,7 @@ impl Builder<'_> {
     fn obstacles(&self, model: &mut Model) -> Result<(), CaseError> {
         for own in &self.file.obstacles {
             let shape = match &own.shape {
-                ObstacleShape::Plane { point, normal } => Obstacle::Plane {
+                ObstacleShape::Plane { point, normal } => RigidShape::Plane {
                     point: *point,
                     normal: *normal,
                 },
@@ -185,7 +185,7 @@ impl Builder<'_> {
                     center,
                     radius,
                     inside,
-                } => Obstacle::Sphere {
+                } => RigidShape::Sphere {
                     center: *center,
                     radius: *radius,
                     inside: *inside,
@@ -195,13 +195,13 @@ impl Builder<'_> {
                     axis,
                     radius,
                     inside,
-                } => Obstacle::Cylinder {
+                } => RigidShape::Cylinder {
                     point: *point,
                     axis: *axis,
                     radius: *radius,
                     inside: *inside,
                 },
-                ObstacleShape::Surface(surface) => Obstacle::Surface(RigidSurface {
+                ObstacleShape::Surface(surface) => RigidShape::Surface(RigidSurface {
                     points: surface.points.clone(),
                     faces: surface.faces.clone(),
                 }),
@@ -313,12 +313,12 @@ fn text(name: &Option<crate::Spanned<String>>) -> Option<String> {
     name.as_ref().map(|name| name.get_ref().clone())
 }
 
-fn field(own: &crate::Field) -> tresca_contact::Field {
+fn field(own: &crate::Field) -> tresca_contact::ScalarField {
     match own {
         crate::Field::Constant(value) => (*value).into(),
         varying => {
             let varying = varying.clone();
-            tresca_contact::Field::Function(Arc::new(move |point| varying.at(point)))
+            tresca_contact::ScalarField::Function(Arc::new(move |point| varying.at(point)))
         }
     }
 }

@@ -1,36 +1,10 @@
 //! The result of the geometry: coupling matrices, gaps, frames, areas, friction data.
 
 use faer::sparse::SparseRowMat;
-use tresca_fem::dofs::DofMap;
-use tresca_fem::mesh::{Face, Mesh};
 
-use crate::{Field, Frame, FrictionLaw, Mobility, Sliding};
-
-/// One side of a contact: a surface of a body.
-#[derive(Clone, Copy)]
-pub struct Side<'a> {
-    /// The body's mesh.
-    pub mesh: &'a Mesh,
-    /// The faces that may come into contact.
-    pub faces: &'a [Face],
-    /// The body's dofs: a pair that supports hold completely is left out.
-    pub dofs: &'a DofMap,
-    /// Nodes of a slave surface that have a pair in another contact already, along an edge that the two
-    /// contacts share. A second set of rows there could depend on the first, so mortar coupling and
-    /// obstacles leave these nodes to it and give their share to the neighbours. Coupling node by node
-    /// leaves out those pairs of which both nodes are taken; of the master side it is told the nodes that
-    /// have pairs with the same slave body.
-    pub taken: &'a [usize],
-}
-
-/// What happens between the two sides.
-#[derive(Clone, Copy)]
-pub struct Interface<'a> {
-    /// What resists sliding and opening.
-    pub friction: &'a FrictionLaw,
-    /// What is added to the gap between the meshes (a length); negative for an interference.
-    pub gap: &'a Field,
-}
+use crate::frame::Frame;
+use crate::friction::Sliding;
+use crate::pair::mobility::Mobility;
 
 /// What the rows of B stand for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,13 +17,15 @@ pub enum Discretization {
     Obstacle,
 }
 
-/// A contact pair: a slave node and what faces it.
+/// A contact pair: a slave node, on one smooth patch of its surface, and what faces it.
 ///
 /// In all discretizations λν is a force, λν / `area` the pressure, `gap` a length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactPair {
-    /// Node of the slave mesh.
+    /// Node of the slave mesh. It can have other pairs, on other patches.
     pub slave_node: usize,
+    /// The smooth patch of the slave surface that the pair stands on; 0 where the surface is one patch.
+    pub patch: usize,
     /// Node of the master mesh, where the coupling is node by node.
     pub master_node: Option<usize>,
     /// Position of the slave node.
@@ -69,6 +45,17 @@ pub struct ContactPair {
     pub sliding: Sliding,
 }
 
+/// A node of a slave surface whose pair belongs to another contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SharedNode {
+    /// Node of the slave mesh.
+    pub node: usize,
+    /// The area that would have been its own here.
+    pub area: f64,
+    /// The unit normal there, out of the slave body.
+    pub normal: [f64; 3],
+}
+
 /// What the dual problem needs to know of one contact.
 #[derive(Debug, Clone)]
 pub struct ContactData {
@@ -86,9 +73,9 @@ pub struct ContactData {
     /// Nodes of the slave surface that have no pair because (almost) nothing faces them, ascending;
     /// without those of [`Side::taken`].
     pub uncoupled: Vec<usize>,
-    /// Nodes of the slave surface whose pair belongs to another contact, with the area that would have been
-    /// theirs here (node by node; mortar coupling gives it to the neighbours).
-    pub shared: Vec<(usize, f64)>,
+    /// Nodes of the slave surface whose pair belongs to another contact (node by node; mortar coupling gives
+    /// their share to the neighbours).
+    pub shared: Vec<SharedNode>,
     /// Pairs left out because supports hold both nodes, or (mortar, obstacles) the normal of the slave node;
     /// the share of the surface that belongs to such a slave node is with its neighbours.
     pub held_pairs: usize,

@@ -124,6 +124,16 @@ pub enum ContactError {
         /// The node's position.
         point: [f64; 3],
     },
+    /// Patches of another surface.
+    #[error(
+        "the smooth patches are those of a surface of {found} faces, the surface has {expected}"
+    )]
+    PatchFaces {
+        /// Faces of the surface.
+        expected: usize,
+        /// Faces that the patches were made for.
+        found: usize,
+    },
     /// The surface has no faces.
     #[error("the contact surface has no faces")]
     Empty,

@@ -3,9 +3,12 @@
 use rayon::prelude::*;
 use tresca_fem::mesh::{Face, Mesh};
 
-use crate::ContactError;
-use crate::geometry::{Facet, FacetTree, Patches, Reach};
-use crate::mortar::{Rules, SegmentPoint, Segments};
+use crate::coupling::mortar::rules::Rules;
+use crate::coupling::mortar::segment::{SegmentPoint, Segments};
+use crate::error::ContactError;
+use crate::geometry::faces::FaceShapes;
+use crate::geometry::facet::Facet;
+use crate::geometry::search::{FacetTree, Reach};
 
 /// The exterior faces of two bodies that face each other within a distance: (faces of `slave`, faces of
 /// `master`), ascending, both empty where the bodies are apart.
@@ -26,8 +29,8 @@ pub fn facing_surfaces(
         return Err(ContactError::Search { search: distance });
     }
     let boundaries = [slave, master].map(Mesh::boundary_faces);
-    let slave = Patches::of_mesh(slave, &boundaries[0])?;
-    let master = Patches::of_mesh(master, &boundaries[1])?;
+    let slave = FaceShapes::of_mesh(slave, &boundaries[0])?;
+    let master = FaceShapes::of_mesh(master, &boundaries[1])?;
     let view = View {
         trees: [&slave, &master].map(|surface| FacetTree::new(&surface.facets)),
         slave: &slave,
@@ -35,11 +38,11 @@ pub fn facing_surfaces(
         distance,
         rules: Rules::new(),
     };
-    let indices = (0..slave.patches.len()).into_par_iter();
+    let indices = (0..slave.shapes.len()).into_par_iter();
     let partners: Vec<Vec<usize>> = indices.map(|index| view.partners(index)).collect();
 
     let mut of_slave = Vec::new();
-    let mut of_master = vec![false; master.patches.len()];
+    let mut of_master = vec![false; master.shapes.len()];
     for (&face, partners) in boundaries[0].iter().zip(&partners) {
         if !partners.is_empty() {
             of_slave.push(face);
@@ -55,8 +58,8 @@ pub fn facing_surfaces(
 
 /// What the faces of one surface see.
 struct View<'a> {
-    slave: &'a Patches,
-    master: &'a Patches,
+    slave: &'a FaceShapes,
+    master: &'a FaceShapes,
     /// Of the slave, of the master.
     trees: [FacetTree; 2],
     distance: f64,
@@ -66,11 +69,11 @@ struct View<'a> {
 impl View<'_> {
     /// The master faces that a slave face sees.
     fn partners(&self, index: usize) -> Vec<usize> {
-        let patch = &self.slave.patches[index];
+        let shape = &self.slave.shapes[index];
         let mut partners = Vec::new();
         let mut work = Vec::new();
         for facet in self.slave.facets_of(index) {
-            let segments = Segments::new(self.slave.space, &self.rules, patch, facet);
+            let segments = Segments::new(self.slave.space, &self.rules, shape, facet);
             let seen = self.seen(&segments, facet, self.master, 1, &mut work);
             // The body is as thick as it is to its own far side, which faces away like what lies behind.
             let thickness = if seen.iter().any(|&(_, distance)| distance < 0.0) {
@@ -95,7 +98,7 @@ impl View<'_> {
         &self,
         segments: &Segments<'_>,
         facet: &Facet,
-        surface: &Patches,
+        surface: &FaceShapes,
         tree: usize,
         work: &mut Vec<SegmentPoint>,
     ) -> Vec<(usize, f64)> {
@@ -104,8 +107,8 @@ impl View<'_> {
         candidates
             .filter_map(|candidate| {
                 let other = &surface.facets[candidate];
-                let distance = segments.distance(&surface.patches[other.patch], other, work)?;
-                (distance.abs() <= self.distance).then_some((other.patch, distance))
+                let distance = segments.distance(&surface.shapes[other.face], other, work)?;
+                (distance.abs() <= self.distance).then_some((other.face, distance))
             })
             .collect()
     }

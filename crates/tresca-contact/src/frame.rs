@@ -1,5 +1,7 @@
 //! The local orthonormal frame (ν, τ1, τ2) of a contact pair.
 
+use tresca_fem::vector3::{cross, dot, unit};
+
 /// A right-handed orthonormal frame: unit normal ν and two unit tangents.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
@@ -53,27 +55,6 @@ impl Frame {
         let directions = self.directions();
         std::array::from_fn(|k| (0..3).map(|d| local[d] * directions[d][k]).sum())
     }
-}
-
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-pub(crate) fn unit(a: [f64; 3]) -> [f64; 3] {
-    let length = dot(a, a).sqrt();
-    a.map(|x| x / length)
 }
 
 #[cfg(test)]

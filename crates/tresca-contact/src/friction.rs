@@ -1,57 +1,10 @@
 //! Friction laws, as the user states them, and what they are for a single pair.
 
-use std::fmt;
-use std::sync::Arc;
+use tresca_fem::vector3::{dot, unit};
 
-use crate::frame::{dot, unit};
-use crate::{ContactError, Frame};
-
-/// A quantity that may vary over the slave surface.
-#[derive(Clone)]
-pub enum Field {
-    /// The same everywhere.
-    Constant(f64),
-    /// One value per node of the slave surface, by ascending node number.
-    Values(Vec<f64>),
-    /// A function of the undeformed position.
-    Function(Arc<dyn Fn([f64; 3]) -> f64 + Send + Sync>),
-}
-
-impl fmt::Debug for Field {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Field::Constant(value) => write!(f, "Constant({value})"),
-            Field::Values(values) => write!(f, "Values({} nodes)", values.len()),
-            Field::Function(_) => f.write_str("Function"),
-        }
-    }
-}
-
-impl From<f64> for Field {
-    fn from(value: f64) -> Self {
-        Field::Constant(value)
-    }
-}
-
-impl Field {
-    /// The value at the `index`-th of `count` nodes of the slave surface.
-    pub(crate) fn at(
-        &self,
-        index: usize,
-        count: usize,
-        point: [f64; 3],
-    ) -> Result<f64, ContactError> {
-        match self {
-            Field::Constant(value) => Ok(*value),
-            Field::Values(values) if values.len() == count => Ok(values[index]),
-            Field::Values(values) => Err(ContactError::ValueCount {
-                expected: count,
-                found: values.len(),
-            }),
-            Field::Function(function) => Ok(function(point)),
-        }
-    }
-}
+use crate::error::ContactError;
+use crate::frame::Frame;
+use crate::scalar_field::ScalarField;
 
 /// What resists sliding, and opening, between two surfaces.
 ///
@@ -65,14 +18,14 @@ pub enum FrictionLaw {
     /// does not know the contact pressure.
     Tresca {
         /// The slip bound.
-        bound: Field,
+        bound: ScalarField,
     },
     /// Tresca's law with two bounds: the tangential traction stays in the ellipse
     /// (t1/g1)² + (t2/g2)² ≤ 1. Slip is normal to the ellipse (the associated law). A bound of 0
     /// leaves its direction without friction. In space only.
     Orthotropic {
         /// Slip bounds g1, g2 along the two axes.
-        bounds: [Field; 2],
+        bounds: [ScalarField; 2],
         /// Direction of axis 1; it is projected on the tangent plane.
         axis: [f64; 3],
     },
@@ -85,14 +38,14 @@ pub enum FrictionLaw {
         axis: Option<[f64; 3]>,
         /// Upper limit of the bound along the axis of the larger coefficient, a stress (the other
         /// axis in proportion): the shear strength of the softer material. `None` for no limit.
-        limit: Option<Field>,
+        limit: Option<ScalarField>,
     },
     /// Glued: neither opening nor slip.
     Tied,
     /// No opening; slip free, or resisted below a bound as by Tresca's law.
     Bilateral {
         /// The slip bound, `None` for free slip.
-        bound: Option<Field>,
+        bound: Option<ScalarField>,
     },
 }
 
@@ -159,7 +112,7 @@ impl Sliding {
 
 impl FrictionLaw {
     /// Tresca's law with a slip bound (force per area).
-    pub fn tresca(bound: impl Into<Field>) -> Self {
+    pub fn tresca(bound: impl Into<ScalarField>) -> Self {
         FrictionLaw::Tresca {
             bound: bound.into(),
         }
@@ -179,9 +132,9 @@ impl FrictionLaw {
     /// # Errors
     /// For a bound or a coefficient that is no number ≥ 0, and an axis that is no direction.
     pub fn validate(&self) -> Result<(), ContactError> {
-        let field = |bound: &Field| match bound {
-            Field::Constant(value) => bound_at(*value, None).map(drop),
-            Field::Values(_) | Field::Function(_) => Ok(()),
+        let field = |bound: &ScalarField| match bound {
+            ScalarField::Constant(value) => bound_at(*value, None).map(drop),
+            ScalarField::Values(_) | ScalarField::Function(_) => Ok(()),
         };
         let direction = |axis: [f64; 3]| {
             let length = dot(axis, axis).sqrt();
@@ -254,9 +207,9 @@ impl FrictionLaw {
         &self,
         area: f64,
         point: [f64; 3],
-        value: impl Fn(&Field) -> Result<f64, ContactError>,
+        value: impl Fn(&ScalarField) -> Result<f64, ContactError>,
     ) -> Result<Sliding, ContactError> {
-        let force = |field: &Field| Ok(area * bound_at(value(field)?, Some(point))?);
+        let force = |field: &ScalarField| Ok(area * bound_at(value(field)?, Some(point))?);
         Ok(match self {
             FrictionLaw::Frictionless => Sliding::Bounded([0.0; 2]),
             FrictionLaw::Tresca { bound } => Sliding::Bounded([force(bound)?; 2]),

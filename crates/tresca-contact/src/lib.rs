@@ -11,6 +11,7 @@
 //!   mortar coupling with dual multipliers, for any two surfaces that face each other.
 //! - [`couple_obstacle`] has a plane, sphere, cylinder or rigid surface for a partner.
 //! - [`facing_surfaces`] finds the surfaces.
+//! - A pair belongs to a slave node and a smooth patch of its surface; [`patches`] cuts a surface at its edges.
 //!
 //! Whatever the coupling, λν of a pair is a force, λν over the pair's area the pressure, d a length. The
 //! formulas of mortar coupling, and where they come from, stand in `docs/mortar.md`:
@@ -29,28 +30,29 @@
 //! - λ = \[λν; λτ\] with m normal forces first and then the m pairs (τ1, τ2), in the plane m
 //!   tangential forces.
 
-mod couple;
+mod coupling;
 mod data;
 mod error;
 mod facing;
 mod frame;
 mod friction;
 mod geometry;
-mod mortar;
-mod node_by_node;
-mod obstacle;
+mod interface;
 mod pair;
-mod pairing;
-mod restrained;
+mod scalar_field;
 mod surface;
 
-pub use couple::{CouplingMethod, couple};
-pub use data::{ContactData, ContactPair, Discretization, Interface, Side};
+pub use coupling::choice::{CouplingMethod, couple};
+pub use coupling::node_by_node::couple_node_by_node;
+pub use coupling::obstacle::couple::couple_obstacle;
+pub use coupling::obstacle::shape::{RigidShape, RigidSurface};
+pub use data::{ContactData, ContactPair, Discretization, SharedNode};
 pub use error::ContactError;
 pub use facing::facing_surfaces;
 pub use frame::Frame;
-pub use friction::{Field, FrictionLaw, Opening, Sliding};
-pub use node_by_node::couple_node_by_node;
-pub use obstacle::{Obstacle, RigidSurface, couple_obstacle};
-pub use restrained::Mobility;
-pub use surface::{ContactSurface, SurfaceNode};
+pub use friction::{FrictionLaw, Opening, Sliding};
+pub use interface::{Interface, Side};
+pub use pair::mobility::Mobility;
+pub use scalar_field::ScalarField;
+pub use surface::nodes::{ContactSurface, SurfaceNode};
+pub use surface::patches::{SmoothPatches, patches};

@@ -39,5 +39,6 @@ pub mod rigid;
 pub mod stress;
 pub mod supports;
 mod tensor;
+pub mod vector3;
 
 pub use error::FemError;

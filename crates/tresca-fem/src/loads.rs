@@ -4,7 +4,7 @@
 //! the full circumference in an axisymmetric space (where the given vectors are radial, axial).
 
 use crate::mesh::{Face, FaceTables, Mesh, Space};
-use crate::tensor::{cross, norm, sub};
+use crate::vector3::{cross, norm, sub};
 
 /// f_a = ∫ φ_a t dΓ for a constant traction t (force per area) on some faces.
 ///

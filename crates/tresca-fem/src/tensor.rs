@@ -1,28 +1,6 @@
-//! Vectors and matrices of order three, for use inside element loops.
+//! Matrices of order three, for use inside element loops.
 
-/// a × b.
-pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// aᵀb.
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// ‖a‖₂.
-pub(crate) fn norm(a: [f64; 3]) -> f64 {
-    dot(a, a).sqrt()
-}
-
-/// a − b.
-pub(crate) fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
+use crate::vector3::{cross, dot};
 
 /// det of the matrix with the columns `c`.
 pub(crate) fn determinant(c: &[[f64; 3]; 3]) -> f64 {
@@ -83,6 +61,7 @@ pub(crate) fn symmetric_eigen<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N]
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vector3::norm;
 
     #[test]
     fn eigenpairs_of_small_matrices() {

@@ -1,6 +1,6 @@
 //! Contacts: which surfaces may touch what, and how they rub.
 
-use tresca_contact::{CouplingMethod, Field, FrictionLaw};
+use tresca_contact::{CouplingMethod, FrictionLaw, ScalarField};
 
 use crate::amount::{Amount, Shape};
 use crate::identity::ObstacleId;
@@ -39,7 +39,7 @@ pub struct Contact<S = Place, M = Partner> {
     /// The friction law.
     pub friction: FrictionLaw,
     /// Added to the gap between the surfaces (a length); negative for an interference.
-    pub gap: Field,
+    pub gap: ScalarField,
     /// How the two surfaces are coupled.
     pub coupling: CouplingMethod,
     /// Largest distance (a length) at which they are coupled; `None`: by the size of their faces.
@@ -59,7 +59,7 @@ impl Contact<PlaceName, PlaceName> {
             slave: slave.into(),
             master: master.into(),
             friction,
-            gap: Field::Constant(0.0),
+            gap: ScalarField::Constant(0.0),
             coupling: CouplingMethod::Auto,
             search: None,
         }
@@ -76,7 +76,7 @@ impl<S, M> Contact<S, M> {
 
     /// With a length that is added to the gap; negative for an interference.
     #[must_use]
-    pub fn gap(mut self, gap: impl Into<Field>) -> Self {
+    pub fn gap(mut self, gap: impl Into<ScalarField>) -> Self {
         self.gap = gap.into();
         self
     }
@@ -114,7 +114,7 @@ impl<S, M> Contact<S, M> {
         match &self.friction {
             FrictionLaw::Tresca { bound } | FrictionLaw::Bilateral { bound: Some(bound) } => {
                 Some(match bound {
-                    Field::Constant(value) => Some(*value),
+                    ScalarField::Constant(value) => Some(*value),
                     _ => None,
                 })
             }

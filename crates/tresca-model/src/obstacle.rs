@@ -9,7 +9,7 @@ pub struct Obstacle {
     /// Name, unique among bodies and obstacles.
     pub name: String,
     /// Where its surface is.
-    pub shape: tresca_contact::Obstacle,
+    pub shape: tresca_contact::RigidShape,
     /// Its displacement (a length), `None` where it stays; load steps scale or replace it. Small, as all displacements
     /// are: the surface is looked at where it was.
     pub motion: Option<[f64; 3]>,
@@ -17,7 +17,7 @@ pub struct Obstacle {
 
 impl Obstacle {
     /// An obstacle that stays.
-    pub fn new(name: impl Into<String>, shape: tresca_contact::Obstacle) -> Self {
+    pub fn new(name: impl Into<String>, shape: tresca_contact::RigidShape) -> Self {
         Self {
             name: name.into(),
             shape,

@@ -5,12 +5,13 @@ use std::time::Instant;
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
 use tresca_contact::{
-    ContactData, ContactError, ContactPair, Interface, Side, couple, couple_obstacle,
+    ContactData, ContactError, ContactPair, Interface, SharedNode, Side, couple, couple_obstacle,
 };
 use tresca_fem::assembly;
 use tresca_fem::dofs::DofMap;
 use tresca_fem::rigid::FreeMotion;
 use tresca_fem::supports::Supports;
+use tresca_la::vector::dot;
 use tresca_qcqp::operator::{Coupling, groups};
 use tresca_system::body::Body;
 use tresca_system::engine::PAIRS_PER_PATCH;
@@ -193,19 +194,20 @@ pub(crate) fn couple_all(model: &Model, dofs: &[DofMap]) -> Result<Vec<ContactDa
     Ok(contacts)
 }
 
-/// Adds the areas of shared nodes to the pairs that have them; the law of these pairs holds there.
-fn hand_over(contacts: &mut [ContactData], shared: &[(usize, f64)], same_bodies: &[usize]) {
-    for &(node, area) in shared {
-        let mut pairs = same_bodies.iter().flat_map(|&k| {
+/// Adds the areas of shared nodes to the pairs that have them; the law of these pairs holds there. Of several
+/// pairs of a node it is the one whose normal is nearest.
+fn hand_over(contacts: &mut [ContactData], shared: &[SharedNode], same_bodies: &[usize]) {
+    for node in shared {
+        let pairs = same_bodies.iter().flat_map(|&k| {
             let pairs = contacts[k].pairs.iter().enumerate();
-            let own = pairs.filter(|(_, pair)| pair.slave_node == node);
-            own.map(move |(i, _)| (k, i)).collect::<Vec<_>>()
+            let own = pairs.filter(|(_, pair)| pair.slave_node == node.node);
+            own.map(move |(i, pair)| (k, i, dot(&pair.frame.normal, &node.normal)))
         });
-        let found = pairs.next();
-        if let Some((contact, index)) = found {
+        let nearest = pairs.reduce(|best, pair| if pair.2 > best.2 { pair } else { best });
+        if let Some((contact, index, _)) = nearest {
             let pair = &mut contacts[contact].pairs[index];
-            let grown = (pair.area + area) / pair.area;
-            pair.area += area;
+            let grown = (pair.area + node.area) / pair.area;
+            pair.area += node.area;
             pair.sliding = pair.sliding.scaled(grown);
         }
     }
@@ -222,6 +224,7 @@ fn coupled(
         mesh: &model.bodies()[surface.body].mesh,
         faces: model.faces(surface),
         dofs: &dofs[surface.body],
+        patches: None,
         taken,
     };
     let interface = Interface {

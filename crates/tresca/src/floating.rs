@@ -7,7 +7,7 @@
 
 use tresca_fem::dofs::DofMap;
 use tresca_fem::rigid::{self, FreeMotion, Grounding};
-use tresca_la::vector::dot;
+use tresca_fem::vector3::norm;
 use tresca_qcqp::operator::Coupling;
 
 use crate::SolveError;
@@ -78,8 +78,8 @@ fn combined(motions: &[FreeMotion], amounts: &[f64], radius: f64) -> Vec<FreeMot
     }
     // A translation with rounding in its rotation is a translation, and the other way round.
     for motion in sums.iter_mut().flat_map(FreeMotion::rigid_motions_mut) {
-        let turn = radius * length(motion.rotation);
-        let shift = length(motion.translation);
+        let turn = radius * norm(motion.rotation);
+        let shift = norm(motion.translation);
         if turn < VISIBLE * shift {
             motion.rotation = [0.0; 3];
         } else if shift < VISIBLE * turn {
@@ -91,10 +91,6 @@ fn combined(motions: &[FreeMotion], amounts: &[f64], radius: f64) -> Vec<FreeMot
 
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |a: f64, x| a.max(x.abs()))
-}
-
-fn length(vector: [f64; 3]) -> f64 {
-    dot(&vector, &vector).sqrt()
 }
 
 /// Amounts below this, relative to the largest, are rounding in a motion.

@@ -55,7 +55,7 @@ pub use solve::{PreparedModel, factor_error, prepare, solve, solve_with};
 pub use summary::Summary;
 pub use surface_fields::SurfaceFields;
 
-pub use tresca_contact::{CouplingMethod, Field, Frame, FrictionLaw, Obstacle, Sliding};
+pub use tresca_contact::{CouplingMethod, Frame, FrictionLaw, RigidShape, ScalarField, Sliding};
 pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_model::{self as model, Body, Contact, Model, ModelError, Step, Support, Traction};

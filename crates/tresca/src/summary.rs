@@ -1,6 +1,7 @@
 //! The summary of a run, as it is written to `summary.json`.
 
 use serde::Serialize;
+use tresca_fem::vector3::cross;
 use tresca_qcqp::{Figures, Settings, Status};
 
 use crate::certificate::Certificate;
@@ -294,13 +295,6 @@ fn resultants(model: &Model, step: &StepOutcome) -> Vec<ContactResultant> {
             }
         })
         .collect()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        a[i] * b[j] - a[j] * b[i]
-    })
 }
 
 fn motion(motion: &UnresistedMotion) -> MotionSummary {

@@ -6,7 +6,7 @@ use std::error::Error;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use tresca_contact::{
-    CouplingMethod, Field, FrictionLaw, Interface, Side, couple, facing_surfaces,
+    CouplingMethod, FrictionLaw, Interface, ScalarField, Side, couple, facing_surfaces,
 };
 use tresca_fem::FemError;
 use tresca_fem::dofs::DofMap;
@@ -37,6 +37,7 @@ pub fn run(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
                 mesh,
                 faces,
                 dofs,
+                patches: None,
                 taken: &[],
             };
             let coupled = || {
@@ -45,7 +46,7 @@ pub fn run(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
                     side(master, &master_faces, &dofs[1]),
                     Interface {
                         friction: &FrictionLaw::Frictionless,
-                        gap: &Field::Constant(0.0),
+                        gap: &ScalarField::Constant(0.0),
                     },
                     CouplingMethod::Mortar,
                     None,

@@ -1,15 +1,18 @@
 //! Flat facets of faces, and the planes on which surfaces meet.
 
-use super::{Patch, Point2, cross2};
-use crate::ContactError;
-use crate::frame::{Frame, cross, dot, norm};
+use tresca_fem::vector3::{cross, dot, norm};
+
+use super::face::FaceShape;
+use super::polygon::{Point2, cross2};
+use crate::error::ContactError;
+use crate::frame::Frame;
 
 /// A straight piece of a face: a line, a triangle or a (perhaps warped) quadrilateral between points
 /// of the face.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Facet {
     /// Which face it belongs to.
-    pub patch: usize,
+    pub face: usize,
     /// Its corners in the coordinates of the face element.
     parameters: &'static [[f64; 2]],
     points: [[f64; 3]; 4],
@@ -26,14 +29,14 @@ pub(crate) struct Facet {
 impl Facet {
     /// The facet with the given corners of a face.
     pub fn new(
-        patch: &Patch,
+        shape: &FaceShape,
         index: usize,
         parameters: &'static [[f64; 2]],
     ) -> Result<Self, ContactError> {
         let count = parameters.len();
         let mut points = [[0.0; 3]; 4];
         for (point, &[xi, eta]) in points.iter_mut().zip(parameters) {
-            *point = patch.position(&patch.shape([xi, eta, 0.0]));
+            *point = shape.position(&shape.values([xi, eta, 0.0]));
         }
         let edge = |a: usize, b: usize| -> [f64; 3] {
             std::array::from_fn(|k| points[b][k] - points[a][k])
@@ -55,7 +58,7 @@ impl Facet {
         // A face without area has no normal, and nothing can be projected on it.
         let smallest = 1e-12 * radius.powi(count.min(3) as i32 - 1);
         let facet = Self {
-            patch: index,
+            face: index,
             parameters,
             points,
             center,

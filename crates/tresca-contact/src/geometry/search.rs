@@ -2,8 +2,9 @@
 
 use rstar::{AABB, Envelope, RTree, RTreeObject, SelectionFunction};
 
-use super::Facet;
-use crate::frame::{dot, norm};
+use tresca_fem::vector3::{dot, norm};
+
+use super::facet::Facet;
 
 /// Facets count as facing each other when the cosine between their normals is below this. Surfaces
 /// that are 17° from perpendicular have next to no area in each other's projection.

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 use tresca_contact::{
-    ContactData, ContactError, Field, FrictionLaw, Interface, Mobility, Opening, Side, Sliding,
-    couple_node_by_node,
+    ContactData, ContactError, FrictionLaw, Interface, Mobility, Opening, ScalarField, Side,
+    Sliding, couple_node_by_node,
 };
 use tresca_fem::dofs::DofMap;
 use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, rectangle};
@@ -22,7 +22,7 @@ fn couple_held(
     faces: [&str; 2],
     held: &[(&str, usize)],
     friction: FrictionLaw,
-    gap: Field,
+    gap: ScalarField,
 ) -> Result<ContactData, ContactError> {
     let dofs = meshes.each_ref().map(|mesh| {
         let mut supports = Supports::new(mesh.node_count(), mesh.dimension());
@@ -36,6 +36,7 @@ fn couple_held(
         mesh: &meshes[k],
         faces: meshes[k].faces_of_set(faces[k]).unwrap(),
         dofs: &dofs[k],
+        patches: None,
         taken: &[],
     };
     let interface = Interface {
@@ -45,7 +46,7 @@ fn couple_held(
     couple_node_by_node(side(0), side(1), interface)
 }
 
-fn couple(friction: FrictionLaw, gap: Field) -> Result<ContactData, ContactError> {
+fn couple(friction: FrictionLaw, gap: ScalarField) -> Result<ContactData, ContactError> {
     couple_held(&blocks(), ["z-", "z+"], &[], friction, gap)
 }
 
@@ -55,10 +56,10 @@ fn close(a: f64, b: f64) -> bool {
 
 #[test]
 fn bounds_and_gaps_by_function_and_by_values() {
-    let function = Field::Function(Arc::new(|[x, _, _]| 0.1 * (1.0 + x)));
+    let function = ScalarField::Function(Arc::new(|[x, _, _]| 0.1 * (1.0 + x)));
     let data = couple(
         FrictionLaw::Tresca { bound: function },
-        Field::Function(Arc::new(|[x, y, _]| 0.01 * x * y - 0.002)),
+        ScalarField::Function(Arc::new(|[x, y, _]| 0.01 * x * y - 0.002)),
     )
     .unwrap();
     for pair in &data.pairs {
@@ -67,7 +68,7 @@ fn bounds_and_gaps_by_function_and_by_values() {
         assert!(matches!(pair.sliding, Sliding::Bounded([a, b]) if close(a, bound) && a == b));
         assert!(close(pair.gap, 0.01 * x * y - 0.002));
     }
-    let values = Field::Values((0..9).map(f64::from).collect());
+    let values = ScalarField::Values((0..9).map(f64::from).collect());
     let data = couple(FrictionLaw::Tresca { bound: values }, 0.0.into()).unwrap();
     for (k, pair) in data.pairs.iter().enumerate() {
         let bound = k as f64 * pair.area;
@@ -78,16 +79,16 @@ fn bounds_and_gaps_by_function_and_by_values() {
 #[test]
 fn impossible_figures_are_named() {
     let refused = |law, gap| couple(law, gap).unwrap_err().to_string();
-    let negative = Field::Function(Arc::new(|[x, _, _]| 1.0 - x));
+    let negative = ScalarField::Function(Arc::new(|[x, _, _]| 1.0 - x));
     let message = refused(FrictionLaw::Tresca { bound: negative }, 0.0.into());
     assert!(message.contains("found -1 at (2, "), "{message}");
-    let infinite = Field::Function(Arc::new(|[x, _, _]| x.recip()));
+    let infinite = ScalarField::Function(Arc::new(|[x, _, _]| x.recip()));
     let message = refused(FrictionLaw::Frictionless, infinite);
     assert!(
         message.contains("gap") && message.contains("inf"),
         "{message}"
     );
-    let few = FrictionLaw::tresca(Field::Values(vec![1.0; 4]));
+    let few = FrictionLaw::tresca(ScalarField::Values(vec![1.0; 4]));
     assert_eq!(
         couple(few, 0.0.into()).unwrap_err(),
         ContactError::ValueCount {

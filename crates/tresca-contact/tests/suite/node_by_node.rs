@@ -2,18 +2,19 @@
 
 use faer::sparse::SparseRowMat;
 use tresca_contact::{
-    ContactData, ContactError, Field, FrictionLaw, Interface, Side, Sliding, couple_node_by_node,
+    ContactData, ContactError, FrictionLaw, Interface, ScalarField, Side, Sliding,
+    couple_node_by_node,
 };
 use tresca_fem::dofs::DofMap;
 use tresca_fem::mesh::{BrickSpec, Mesh, brick};
 use tresca_fem::supports::Supports;
 
 const LAW: FrictionLaw = FrictionLaw::Tresca {
-    bound: Field::Constant(0.5),
+    bound: ScalarField::Constant(0.5),
 };
 const INTERFACE: Interface<'static> = Interface {
     friction: &LAW,
-    gap: &Field::Constant(0.0),
+    gap: &ScalarField::Constant(0.0),
 };
 
 fn block(min: [f64; 3], max: [f64; 3], nodes: [usize; 3]) -> Mesh {
@@ -40,6 +41,7 @@ fn couple(
             mesh,
             faces: mesh.faces_of_set(set).unwrap(),
             dofs,
+            patches: None,
             taken: &[],
         }
     };
@@ -182,12 +184,14 @@ fn surfaces_that_do_not_match_are_told_apart() {
             mesh: &upper,
             faces: &[],
             dofs: &dofs,
+            patches: None,
             taken: &[],
         },
         Side {
             mesh: &upper,
             faces: &[],
             dofs: &dofs,
+            patches: None,
             taken: &[],
         },
         INTERFACE,

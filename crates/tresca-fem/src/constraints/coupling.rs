@@ -4,7 +4,8 @@ use super::{Dof, Equation};
 use crate::FemError;
 use crate::mesh::{Mesh, Space};
 use crate::supports::Supports;
-use crate::tensor::{cross, determinant, inverse_rows, sub};
+use crate::tensor::{determinant, inverse_rows};
+use crate::vector3::{cross, sub};
 
 /// A point that moves like a rigid body: a displacement and a (small) rotation, on two nodes beyond the mesh.
 ///

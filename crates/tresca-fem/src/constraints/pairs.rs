@@ -3,7 +3,7 @@
 use super::{Dof, Equation};
 use crate::FemError;
 use crate::mesh::Mesh;
-use crate::tensor::{cross, dot, norm, sub};
+use crate::vector3::{cross, dot, norm, sub};
 
 /// Images count as one place up to this part of the size of the box around the mesh.
 const TOLERANCE: f64 = 1e-6;

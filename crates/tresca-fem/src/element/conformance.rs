@@ -404,7 +404,7 @@ fn faces_look_outwards(kind: CellKind, points: Vec<[f64; 3]>) {
             .into_iter()
             .enumerate()
         {
-            flux += crate::tensor::dot(mesh.points[node], vector);
+            flux += crate::vector3::dot(mesh.points[node], vector);
         }
     }
     // ∫ x·n dΓ = d |Ω|

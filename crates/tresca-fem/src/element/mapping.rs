@@ -2,7 +2,8 @@
 
 use super::{ShapeTable, interpolate, jacobian};
 use crate::mesh::Space;
-use crate::tensor::{determinant, inverse_rows, norm};
+use crate::tensor::{determinant, inverse_rows};
+use crate::vector3::norm;
 
 /// det J counts as zero below this fraction of its largest possible value, ∏ ‖∂x/∂ξ_j‖, and when one
 /// of these vectors is shorter than this fraction of another. The first ratio does not know the cell's

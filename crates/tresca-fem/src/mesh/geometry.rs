@@ -2,7 +2,8 @@
 
 use super::{CellKind, Face, Mesh, Space};
 use crate::element::{ShapeTable, interpolate, jacobian};
-use crate::tensor::{cross, determinant, norm};
+use crate::tensor::determinant;
+use crate::vector3::{cross, norm};
 
 /// The smallest axis-parallel box around a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -226,7 +227,7 @@ mod tests {
         let mut flux = 0.0;
         super::FaceTables::new(&mesh).for_each_point(&surface, |p| {
             for (&node, value) in p.nodes.iter().zip(p.values) {
-                flux += value * crate::tensor::dot(mesh.points[node], p.area);
+                flux += value * crate::vector3::dot(mesh.points[node], p.area);
             }
         });
         assert!((flux - 3.0 * mesh.volume()).abs() < 1e-13);
@@ -274,7 +275,7 @@ mod tests {
             // ∫ x·n dΓ = 3 |Ω| with x = (r, y): the faces on the axis have no area.
             let mut flux = 0.0;
             super::FaceTables::new(&mesh).for_each_point(&mesh.boundary_faces(), |p| {
-                flux += crate::tensor::dot(p.position, p.area);
+                flux += crate::vector3::dot(p.position, p.area);
             });
             assert!((flux - 3.0 * mesh.volume()).abs() < 1e-13 * flux);
             // ∫ n_y dΓ = 0 over a closed surface.

@@ -14,12 +14,13 @@
 mod brick;
 mod convert;
 mod cut;
+mod disjoint_sets;
 mod duplicates;
 mod elevate;
 mod geometry;
 mod grid;
 mod kind;
-pub(crate) mod parts;
+mod parts;
 mod quality;
 mod rectangle;
 mod space;
@@ -27,6 +28,7 @@ mod submesh;
 mod topology;
 
 pub use brick::{BrickSpec, brick};
+pub use disjoint_sets::DisjointSets;
 pub use geometry::BoundingBox;
 pub(crate) use geometry::{FaceTables, gather_points};
 pub use kind::CellKind;

@@ -1,5 +1,6 @@
 //! The connected parts of a mesh.
 
+use super::disjoint_sets::DisjointSets;
 use super::{BoundingBox, Mesh};
 
 /// A connected part of a mesh: nodes that are linked through cells.
@@ -19,21 +20,16 @@ impl Part {
 impl Mesh {
     /// The connected parts, ordered by their lowest nodes. Cells that share a node are connected.
     pub fn parts(&self) -> Vec<Part> {
-        // Union-find where every root is the lowest node of its tree, so that the order of the parts
-        // does not depend on the order of the cells.
-        let mut parent: Vec<usize> = (0..self.node_count()).collect();
+        let mut sets = DisjointSets::new(self.node_count());
         for cell in self.iter_cells() {
-            let mut root = find(&mut parent, cell.nodes[0]);
             for &node in &cell.nodes[1..] {
-                let other = find(&mut parent, node);
-                parent[root.max(other)] = root.min(other);
-                root = root.min(other);
+                sets.join(cell.nodes[0], node);
             }
         }
         let mut part_of_root = vec![usize::MAX; self.node_count()];
         let mut parts: Vec<Part> = Vec::new();
         for node in 0..self.node_count() {
-            let root = find(&mut parent, node);
+            let root = sets.root(node);
             if root == node {
                 part_of_root[node] = parts.len();
                 parts.push(Part { nodes: Vec::new() });
@@ -42,15 +38,6 @@ impl Mesh {
         }
         parts
     }
-}
-
-/// The root of a node's tree; shortens the way there by halving it.
-pub(crate) fn find(parent: &mut [usize], mut node: usize) -> usize {
-    while parent[node] != node {
-        parent[node] = parent[parent[node]];
-        node = parent[node];
-    }
-    node
 }
 
 #[cfg(test)]

@@ -7,8 +7,7 @@
 use super::free::{FreeMotion, Piece};
 use super::{RigidMotion, combine, motions};
 use crate::dofs::DofMap;
-use crate::mesh::parts::find;
-use crate::mesh::{Mesh, Part};
+use crate::mesh::{DisjointSets, Mesh, Part};
 use faer::{Mat, Side};
 use std::sync::Arc;
 
@@ -48,23 +47,16 @@ fn clusters(mesh: &Mesh, dofs: &DofMap, part_of: &[usize], parts: usize) -> Vec<
         None => parts + dof - full,
     };
     let count = parts + dofs.full_len() - full;
-    let mut parent: Vec<usize> = (0..count).collect();
+    let mut sets = DisjointSets::new(count);
     for row in dofs.rows() {
-        let moving = row
-            .terms
-            .iter()
-            .filter(|term| dofs.free_of_full(term.0).is_some());
-        for &(dof, _) in moving {
-            let (a, b) = (
-                find(&mut parent, owner(row.dependent)),
-                find(&mut parent, owner(dof)),
-            );
-            parent[a.max(b)] = a.min(b);
+        let terms = row.terms.iter().map(|&(dof, _)| dof);
+        for dof in terms.filter(|&dof| dofs.free_of_full(dof).is_some()) {
+            sets.join(owner(row.dependent), owner(dof));
         }
     }
     // A root beyond the parts couples none of them: its dofs are loose.
     let mut root = |index| {
-        Some(find(&mut parent, index))
+        Some(sets.root(index))
             .filter(|&root| root < parts)
             .unwrap_or(0)
     };

@@ -5,7 +5,8 @@ use crate::assembly::sum_of_columns;
 use crate::dofs::DofMap;
 use crate::material::Isotropic;
 use crate::mesh::{Mesh, Space};
-use crate::tensor::{dot, sub, symmetric_eigen};
+use crate::tensor::symmetric_eigen;
+use crate::vector3::{dot, sub};
 use faer::{Mat, Side};
 use tresca_la::SymmetricMatrix;
 

@@ -9,7 +9,8 @@ pub use grounding::Grounding;
 
 use crate::dofs::DofMap;
 use crate::mesh::{Mesh, Part, Space};
-use crate::tensor::{cross, dot, norm, sub, symmetric_eigen};
+use crate::tensor::symmetric_eigen;
+use crate::vector3::{cross, dot, norm, sub};
 use std::fmt;
 use std::sync::Arc;
 

@@ -1,7 +1,8 @@
 //! Polynomials through the stresses of a patch, by least squares.
 
 use super::StressSample;
-use crate::tensor::{dot, sub, symmetric_eigen};
+use crate::tensor::symmetric_eigen;
+use crate::vector3::{dot, sub};
 
 /// A direction of the fit is dropped when it would magnify errors of the samples more than this (as a
 /// variance): the samples lie nearly in a plane that the node is far from, as in a plate of one layer

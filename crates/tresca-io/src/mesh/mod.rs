@@ -31,6 +31,7 @@ mod cells;
 mod error;
 mod faces;
 mod file;
+mod flat;
 mod gmsh;
 mod numbering;
 mod order;

@@ -1,5 +1,7 @@
 //! Rigid placement and scale of a mesh.
 
+use tresca_fem::vector3::{cross, unit};
+
 /// Where the points of a mesh go: first the scale, then the rotation, then the translation. The
 /// default leaves them where they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,8 +55,7 @@ impl Placement {
 impl Rotation {
     /// Rodrigues' formula, x + sin α (k × x) + (1 − cos α) k × (k × x) for the unit axis k.
     fn apply(&self, point: [f64; 3]) -> [f64; 3] {
-        let length = self.axis.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let axis = self.axis.map(|x| x / length);
+        let axis = unit(self.axis);
         let (sine, cosine) = sine_cosine(self.angle);
         let arm: [f64; 3] = std::array::from_fn(|i| point[i] - self.about[i]);
         let across = cross(axis, arm);
@@ -79,14 +80,6 @@ fn sine_cosine(degrees: f64) -> (f64, f64) {
     } else {
         degrees.to_radians().sin_cos()
     }
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
 
 #[cfg(test)]

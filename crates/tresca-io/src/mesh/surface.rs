@@ -2,16 +2,13 @@
 
 use std::collections::HashMap;
 
-use tresca_fem::mesh::{BoundingBox, CellKind};
+use tresca_fem::mesh::CellKind;
 
 use super::error::MeshFileError;
 use super::faces::side;
 use super::file::MeshFile;
 use super::order::{reorder, turned_over};
 use super::placement::Placement;
-
-/// Rounding, as part of the size of the surface.
-const ROUNDING: f64 = 1e-12;
 
 /// A surface that does not deform; in the plane, a curve.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,21 +115,6 @@ impl MeshFile {
             });
         }
         Ok(drafts)
-    }
-
-    fn flatten(&self, points: &mut [[f64; 3]], nodes: &[usize]) -> Result<(), MeshFileError> {
-        let small = ROUNDING * BoundingBox::around(points.iter().copied()).diagonal();
-        for (point, &node) in points.iter_mut().zip(nodes) {
-            if point[2].abs() > small {
-                return Err(MeshFileError::OffPlane {
-                    path: self.path.clone(),
-                    node: self.point_numbers[node],
-                    z: point[2],
-                });
-            }
-            point[2] = 0.0;
-        }
-        Ok(())
     }
 
     /// Gives all faces that hang together the same sides.

@@ -1,6 +1,6 @@
 //! Pressures.
 
-use tresca_contact::Field;
+use tresca_contact::ScalarField;
 use tresca_fem::loads;
 
 use super::kind::{ActsAsLoad, add};
@@ -13,12 +13,12 @@ use crate::error::ModelError;
 #[derive(Debug, Clone)]
 pub struct Pressure {
     /// The pressure: a constant, or a function of the undeformed position.
-    pub value: Field,
+    pub value: ScalarField,
 }
 
 impl Pressure {
     /// The same everywhere, or a function of the undeformed position.
-    pub fn new(value: impl Into<Field>) -> Self {
+    pub fn new(value: impl Into<ScalarField>) -> Self {
         let value = value.into();
         Self { value }
     }
@@ -43,14 +43,14 @@ impl ActsAsLoad for Pressure {
 
     fn constant(&self) -> Option<Amount> {
         match self.value {
-            Field::Constant(value) => Some(Amount::Scalar(value)),
+            ScalarField::Constant(value) => Some(Amount::Scalar(value)),
             _ => None,
         }
     }
 
     fn check(&self, _: &Region, _: &Bodies) -> Result<(), ModelError> {
         match self.value {
-            Field::Values(_) => Err(ModelError::PressureByValues),
+            ScalarField::Values(_) => Err(ModelError::PressureByValues),
             _ => Ok(()),
         }
     }
@@ -64,10 +64,10 @@ impl ActsAsLoad for Pressure {
         forces: &mut [f64],
     ) {
         let own = |x| match &self.value {
-            Field::Constant(value) => *value,
-            Field::Function(function) => function(x),
+            ScalarField::Constant(value) => *value,
+            ScalarField::Function(function) => function(x),
             // `check` refuses it.
-            Field::Values(_) => f64::NAN,
+            ScalarField::Values(_) => f64::NAN,
         };
         let (factor, value) = match amount {
             Amount::Factor(factor) => (factor, None),

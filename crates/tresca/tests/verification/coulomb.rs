@@ -1,7 +1,7 @@
 //! Coulomb's law: both variants, their limits, their work.
 
 use super::support::{assert_close, report, settings, solved, solved_with, variant};
-use tresca::{CoulombMethod, Engine, Field, FrictionLaw, Outcome};
+use tresca::{CoulombMethod, Engine, FrictionLaw, Outcome, ScalarField};
 use tresca_bench::two_bricks::{Units, two_bricks_with};
 
 fn bricks(coefficient: &str) -> tresca::case::Case {
@@ -78,7 +78,7 @@ fn in_loop_updates_cost_little_more_than_a_tresca_solve() {
             .pairs()
             .map(|pair| pair.slip_bounds.unwrap()[0] / pair.pair.area)
             .collect();
-        let law = FrictionLaw::tresca(Field::Values(bounds));
+        let law = FrictionLaw::tresca(ScalarField::Values(bounds));
         let model = two_bricks_with(9, Units::METRE_MEGAPASCAL, law).unwrap();
         let tresca = tresca::solve_with(&model, &settings, &mut tresca::Silent).unwrap();
         let (ours, theirs) = (&coulomb.last().solution, &tresca.last().solution);

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, Mesh, brick};
-use tresca::{Body, Contact, Field, FrictionLaw, Model, Outcome, Settings, Silent, Support};
+use tresca::{Body, Contact, FrictionLaw, Model, Outcome, ScalarField, Settings, Silent, Support};
 
 use super::support::report;
 
@@ -87,7 +87,7 @@ fn two_balls_slip_in_a_ring() {
         for pair in pressed.last().pairs() {
             bounds[pair.pair.slave_node] = FRICTION * pair.pressure();
         }
-        let law = FrictionLaw::tresca(Field::Values(bounds));
+        let law = FrictionLaw::tresca(ScalarField::Values(bounds));
         let shifted = solved(cells, approach, shift, law);
         let [load, of_pressure] = moments(&shifted, |pair| pair.normal_force);
         let [pull, of_traction] = moments(&shifted, |pair| pair.friction_force[0]);

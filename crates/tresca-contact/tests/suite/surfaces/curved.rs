@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use tresca_contact::{ContactData, Obstacle, couple_obstacle};
+use tresca_contact::{ContactData, RigidShape, couple_obstacle};
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
 
@@ -16,7 +16,7 @@ const INNER: f64 = 2.0;
 const OUTER: f64 = 2.001;
 
 /// A patch of a spherical shell between two radii, its edges not aligned with anything.
-fn shell(kind: CellKind, radii: [f64; 2], cells: usize, size: f64, at: f64) -> Body {
+pub fn shell(kind: CellKind, radii: [f64; 2], cells: usize, size: f64, at: f64) -> Body {
     let n = [cells, cells, 1];
     let (min, max) = ([-size, -size, radii[0]], [size, size, radii[1]]);
     let mesh = block(kind, min, max, n)
@@ -158,7 +158,7 @@ fn the_gap_between_a_sphere_and_a_plane_converges() {
     for kind in KINDS {
         let errors = [4, 8, 16].map(|n| {
             let slave = shell(kind, [1.5, INNER], n, 0.3, INNER);
-            let plane = Obstacle::Plane {
+            let plane = RigidShape::Plane {
                 point: [0.0, 0.0, INNER],
                 normal: [0.0, 0.0, -1.0],
             };

@@ -7,6 +7,7 @@ mod curved;
 mod facing;
 mod flat;
 mod obstacles;
+mod patches;
 mod plane;
 mod support;
 mod supported;

@@ -1,7 +1,7 @@
 //! Rigid obstacles against closed forms.
 
 use tresca_contact::{
-    ContactData, ContactError, Discretization, Obstacle, RigidSurface, couple_obstacle,
+    ContactData, ContactError, Discretization, RigidShape, RigidSurface, couple_obstacle,
 };
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
@@ -12,7 +12,7 @@ use super::support::{
     transposed_product, turn,
 };
 
-fn coupled(slave: &Body, obstacle: &Obstacle) -> Result<ContactData, ContactError> {
+fn coupled(slave: &Body, obstacle: &RigidShape) -> Result<ContactData, ContactError> {
     couple_obstacle(slave.side(), obstacle, INTERFACE, None)
 }
 
@@ -31,7 +31,7 @@ fn planes() {
     for kind in KINDS {
         let mut slave = unit_block(kind);
         slave.mesh = slave.mesh.mapped(turn).unwrap();
-        let obstacle = Obstacle::Plane {
+        let obstacle = RigidShape::Plane {
             point: turn([5.0, -3.0, -0.05]),
             normal: turn([0.0, 0.0, 4.0]),
         };
@@ -84,22 +84,22 @@ fn round_obstacles_see_each_node() {
     let axis = [1.0, 0.5, -0.1];
     let axis_length = (1.0_f64 + 0.25 + 0.01).sqrt();
     let radius = 3.0;
-    let arm = |x: [f64; 3], obstacle: &Obstacle| -> [f64; 3] {
+    let arm = |x: [f64; 3], obstacle: &RigidShape| -> [f64; 3] {
         let offset: [f64; 3] = std::array::from_fn(|k| x[k] - center[k]);
         match obstacle {
-            Obstacle::Cylinder { .. } => {
+            RigidShape::Cylinder { .. } => {
                 let t = (0..3).map(|k| offset[k] * axis[k]).sum::<f64>() / axis_length.powi(2);
                 std::array::from_fn(|k| offset[k] - t * axis[k])
             }
             _ => offset,
         }
     };
-    let sphere = |inside| Obstacle::Sphere {
+    let sphere = |inside| RigidShape::Sphere {
         center,
         radius,
         inside,
     };
-    let cylinder = |inside| Obstacle::Cylinder {
+    let cylinder = |inside| RigidShape::Cylinder {
         point: center,
         axis,
         radius,
@@ -152,7 +152,7 @@ fn obstacles_in_the_plane() {
         let slave = Body::new(mesh, |[_, y, _]| y == 0.0);
         let normal = [-1.0, 10.0, 7.0];
         let point = [0.0, -0.2, 3.0];
-        let data = coupled(&slave, &Obstacle::Plane { point, normal }).unwrap();
+        let data = coupled(&slave, &RigidShape::Plane { point, normal }).unwrap();
         let length = 101f64.sqrt();
         for pair in &data.pairs {
             // A linear gap is exact at the corners; between them it is a mean with the same value.
@@ -163,7 +163,7 @@ fn obstacles_in_the_plane() {
                 [1.0 / length, -10.0 / length, 0.0]
             ));
         }
-        let circle = Obstacle::Cylinder {
+        let circle = RigidShape::Cylinder {
             point: [1.0, -5.0, 9.0],
             axis: [0.0, 0.0, -2.0],
             radius: 4.9,
@@ -173,7 +173,7 @@ fn obstacles_in_the_plane() {
         let least = data.gap_range().unwrap()[0];
         assert!((least - 0.1).abs() < 1e-2);
         assert!(smallest_pivot(&data, &slave, None) > 1e-2);
-        let tilted = Obstacle::Cylinder {
+        let tilted = RigidShape::Cylinder {
             point: [0.0; 3],
             axis: [1.0, 0.0, 0.0],
             radius: 1.0,
@@ -206,8 +206,8 @@ fn rigid_surfaces() {
             triangle([3, 0, 4]),
         ];
         let surface = RigidSurface { points, faces };
-        let by_faces = coupled(&slave, &Obstacle::Surface(surface.clone())).unwrap();
-        let plane = Obstacle::Plane {
+        let by_faces = coupled(&slave, &RigidShape::Surface(surface.clone())).unwrap();
+        let plane = RigidShape::Plane {
             point: [0.0, 0.0, -0.05],
             normal: [0.0, 0.0, 1.0],
         };
@@ -233,26 +233,26 @@ fn rigid_surfaces() {
 
         let mut broken = surface.clone();
         broken.faces[1].1[2] = 9;
-        let error = coupled(&slave, &Obstacle::Surface(broken)).unwrap_err();
+        let error = coupled(&slave, &RigidShape::Surface(broken)).unwrap_err();
         assert_eq!(error, ContactError::FaceNode { node: 9 });
         let mut flat = surface.clone();
         flat.faces[1].1[2] = 1;
-        let error = coupled(&slave, &Obstacle::Surface(flat)).unwrap_err();
+        let error = coupled(&slave, &RigidShape::Surface(flat)).unwrap_err();
         assert!(matches!(error, ContactError::DegenerateFace { .. }));
         let mut arrow = surface.clone();
         arrow.points[2] = [0.5, -0.5, -0.05];
         arrow.faces = vec![(CellKind::Quad4, vec![0, 1, 2, 3])];
-        let error = coupled(&slave, &Obstacle::Surface(arrow)).unwrap_err();
+        let error = coupled(&slave, &RigidShape::Surface(arrow)).unwrap_err();
         assert!(matches!(error, ContactError::DegenerateFace { .. }));
         let mut solid = surface;
         solid.faces.push((CellKind::Tet4, vec![0, 1, 2, 3]));
-        let error = coupled(&slave, &Obstacle::Surface(solid)).unwrap_err();
+        let error = coupled(&slave, &RigidShape::Surface(solid)).unwrap_err();
         assert!(matches!(error, ContactError::FaceKind { .. }));
         let none = RigidSurface {
             points: Vec::new(),
             faces: Vec::new(),
         };
-        let error = coupled(&slave, &Obstacle::Surface(none)).unwrap_err();
+        let error = coupled(&slave, &RigidShape::Surface(none)).unwrap_err();
         assert_eq!(error, ContactError::Empty);
     }
 }
@@ -262,7 +262,7 @@ fn rigid_surfaces() {
 fn held_nodes_on_an_obstacle() {
     for kind in KINDS {
         let slave = unit_block(kind).held(2, |[x, _, _]| x == 0.0);
-        let plane = Obstacle::Plane {
+        let plane = RigidShape::Plane {
             point: [0.0; 3],
             normal: [0.0, 0.0, 1.0],
         };
@@ -277,9 +277,9 @@ fn held_nodes_on_an_obstacle() {
 #[test]
 fn senseless_obstacles_are_refused() {
     let slave = unit_block(CellKind::Hex8);
-    let error = |obstacle: &Obstacle| coupled(&slave, obstacle).unwrap_err();
+    let error = |obstacle: &RigidShape| coupled(&slave, obstacle).unwrap_err();
     let center = [1.0, 0.5, -2.0];
-    let plane = |normal| Obstacle::Plane {
+    let plane = |normal| RigidShape::Plane {
         point: [0.0; 3],
         normal,
     };
@@ -290,7 +290,7 @@ fn senseless_obstacles_are_refused() {
         ));
     }
     for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let sphere = Obstacle::Sphere {
+        let sphere = RigidShape::Sphere {
             center,
             radius,
             inside: false,
@@ -298,7 +298,7 @@ fn senseless_obstacles_are_refused() {
         assert!(matches!(error(&sphere), ContactError::Obstacle { .. }));
     }
     let axis = [0.0; 3];
-    let cylinder = Obstacle::Cylinder {
+    let cylinder = RigidShape::Cylinder {
         point: center,
         axis,
         radius: 1.0,
@@ -306,7 +306,7 @@ fn senseless_obstacles_are_refused() {
     };
     assert!(matches!(error(&cylinder), ContactError::Obstacle { .. }));
     // A ball that nearly swallows the face, one that is far off, one on the wrong side.
-    let sphere = |z: f64, radius: f64| Obstacle::Sphere {
+    let sphere = |z: f64, radius: f64| RigidShape::Sphere {
         center: [1.0, 0.5, z],
         radius,
         inside: false,
@@ -318,7 +318,7 @@ fn senseless_obstacles_are_refused() {
     assert_eq!(error(&sphere(-9.0, 1.0)), ContactError::Apart);
     assert_eq!(error(&plane([0.0, 0.0, -1.0])), ContactError::Apart);
     // A node at the centre of a cavity.
-    let cavity = Obstacle::Sphere {
+    let cavity = RigidShape::Sphere {
         center: [2.0, 1.0, 1e-10],
         radius: 1.0,
         inside: true,

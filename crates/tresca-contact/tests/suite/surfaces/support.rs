@@ -3,17 +3,19 @@
 use std::collections::{BTreeMap, HashMap};
 
 use faer::sparse::SparseRowMat;
-use tresca_contact::{ContactData, CouplingMethod, Field, FrictionLaw, Interface, Side, couple};
+use tresca_contact::{
+    ContactData, CouplingMethod, FrictionLaw, Interface, ScalarField, Side, SmoothPatches, couple,
+};
 use tresca_fem::dofs::DofMap;
 use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Face, Mesh, brick};
 use tresca_fem::supports::Supports;
 
 pub const LAW: FrictionLaw = FrictionLaw::Tresca {
-    bound: Field::Constant(0.5),
+    bound: ScalarField::Constant(0.5),
 };
 pub const INTERFACE: Interface<'static> = Interface {
     friction: &LAW,
-    gap: &Field::Constant(0.0),
+    gap: &ScalarField::Constant(0.0),
 };
 
 /// A body with the faces that may touch.
@@ -21,6 +23,7 @@ pub struct Body {
     pub mesh: Mesh,
     pub dofs: DofMap,
     pub faces: Vec<Face>,
+    pub patches: Option<SmoothPatches>,
     pub taken: Vec<usize>,
 }
 
@@ -33,6 +36,7 @@ impl Body {
             mesh,
             dofs,
             faces,
+            patches: None,
             taken: Vec::new(),
         }
     }
@@ -57,6 +61,7 @@ impl Body {
             mesh: &self.mesh,
             faces: &self.faces,
             dofs: &self.dofs,
+            patches: self.patches.as_ref(),
             taken: &self.taken,
         }
     }

@@ -1,6 +1,6 @@
 //! Slave nodes that supports hold, or that another contact has.
 
-use tresca_contact::{ContactData, Obstacle, couple_obstacle};
+use tresca_contact::{ContactData, RigidShape, couple_obstacle};
 use tresca_fem::loads;
 use tresca_fem::mesh::CellKind;
 
@@ -110,7 +110,7 @@ fn contacts_share_an_edge() {
             let mut slave = Body::new(mesh(), on);
             slave.taken.clone_from(&taken);
             let point = [2.0, 0.0, 0.0];
-            let plane = Obstacle::Plane { point, normal };
+            let plane = RigidShape::Plane { point, normal };
             let data = couple_obstacle(slave.side(), &plane, INTERFACE, None).unwrap();
             assert!(data.uncoupled.is_empty());
             let area: f64 = data.pairs.iter().map(|pair| pair.area).sum();

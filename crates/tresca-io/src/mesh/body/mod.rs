@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use tresca_fem::FemError;
-use tresca_fem::mesh::{BoundingBox, Mesh, Space};
+use tresca_fem::mesh::{Mesh, Space};
 
 use super::error::MeshFileError;
 use super::faces::side;
@@ -15,9 +15,6 @@ use super::file::MeshFile;
 use super::placement::Placement;
 use finder::Finder;
 use members::Members;
-
-/// Distances below this part of a body's size are rounding: coordinates that should be 0 become 0.
-const ROUNDING: f64 = 1e-12;
 
 /// Nodes nearer than this part of a body's size count as one place.
 const SAME_PLACE: f64 = 1e-9;
@@ -154,27 +151,20 @@ impl MeshFile {
         if space.dimension() == 3 {
             return Ok(points);
         }
-        let small = ROUNDING * BoundingBox::around(points.iter().copied()).diagonal();
+        let small = self.flatten(&mut points, nodes)?;
+        if space != Space::Axisymmetric {
+            return Ok(points);
+        }
         for (point, &node) in points.iter_mut().zip(nodes) {
-            if point[2].abs() > small {
-                return Err(MeshFileError::OffPlane {
+            if point[0] < -small {
+                return Err(MeshFileError::NegativeRadius {
                     path: self.path.clone(),
                     node: self.point_numbers[node],
-                    z: point[2],
+                    radius: point[0],
                 });
             }
-            point[2] = 0.0;
-            if space == Space::Axisymmetric {
-                if point[0] < -small {
-                    return Err(MeshFileError::NegativeRadius {
-                        path: self.path.clone(),
-                        node: self.point_numbers[node],
-                        radius: point[0],
-                    });
-                }
-                if point[0].abs() <= small {
-                    point[0] = 0.0;
-                }
+            if point[0].abs() <= small {
+                point[0] = 0.0;
             }
         }
         Ok(points)

@@ -5,10 +5,14 @@ use rayon::prelude::*;
 use super::coverage::multipliers;
 use super::dual::{DualBasis, dual_basis};
 use super::integrals::{FaceIntegrals, Partner};
-use super::{SlaveSurface, free};
-use crate::geometry::{MAX_NODES, Patches};
-use crate::pair::{Location, coupling, pair};
-use crate::{ContactData, ContactError, Discretization, Field, Interface, Side};
+use super::slave::{SlaveSurface, free};
+use crate::data::{ContactData, Discretization};
+use crate::error::ContactError;
+use crate::geometry::face::MAX_NODES;
+use crate::geometry::faces::FaceShapes;
+use crate::interface::{Interface, Side};
+use crate::pair::rows::{Location, coupling, pair};
+use crate::scalar_field::ScalarField;
 
 /// A deformable partner.
 #[derive(Clone, Copy)]
@@ -16,7 +20,7 @@ pub(crate) struct Master<'a> {
     /// Its body.
     pub side: Side<'a>,
     /// Its faces, in the order of the integrals' partners.
-    pub patches: &'a Patches,
+    pub faces: &'a FaceShapes,
 }
 
 /// What a multiplier sees: scalar rows, to be multiplied by the directions of a frame.
@@ -53,13 +57,14 @@ pub(crate) fn assemble(
     let mut slave_rows = Vec::new();
     let mut master_rows = Vec::new();
     let mut uncoupled = Vec::new();
+    let mut coupled = vec![false; slave.surface.node_count()];
     let mut held_pairs = 0;
     for (index, (node, row)) in nodes.iter().zip(rows).enumerate() {
         let Some(row) = row else {
             if slave.holds_normal(index) {
                 held_pairs += 1;
             } else if !slave.taken[index] {
-                uncoupled.push(node.node);
+                uncoupled.push((node.ordinal, node.node));
             }
             continue;
         };
@@ -80,12 +85,15 @@ pub(crate) fn assemble(
         }
         let location = Location {
             slave_node: node.node,
+            patch: node.patch,
             master_node: None,
             point: node.point,
             normal: normal(index),
             area: row.area,
         };
-        let value = |field: &Field| field.at(index, nodes.len(), node.point);
+        let value =
+            |field: &ScalarField| field.at(node.ordinal, slave.surface.node_count(), node.point);
+        coupled[node.ordinal] = true;
         pairs.push(pair(location, movable, interface, value, |_| row.gap)?);
         slave_rows.push(row.slave);
         master_rows.push(row.master);
@@ -93,6 +101,10 @@ pub(crate) fn assemble(
     if pairs.is_empty() && held_pairs == 0 {
         return Err(ContactError::Apart);
     }
+    // On some patch a node may have a pair all the same.
+    uncoupled.retain(|&(ordinal, _)| !coupled[ordinal]);
+    uncoupled.dedup();
+    let uncoupled = uncoupled.into_iter().map(|(_, node)| node).collect();
     let slave_coupling = coupling(&pairs, mesh, 1.0, |i| &slave_rows[i]);
     let master_coupling =
         master.map(|master| coupling(&pairs, master.side.mesh, -1.0, |i| &master_rows[i]));
@@ -114,22 +126,22 @@ fn rows(
     integrals: &[FaceIntegrals],
     master: Option<Master<'_>>,
 ) -> Vec<Option<Row>> {
-    let patches = &slave.patches.patches;
+    let shapes = &slave.faces.shapes;
     let keep = multipliers(slave, integrals, master.is_none());
-    let bases: Vec<Option<DualBasis>> = patches
+    let bases: Vec<Option<DualBasis>> = shapes
         .par_iter()
         .zip(integrals)
         .zip(&keep)
-        .map(|((patch, integrals), keep)| {
+        .map(|((shape, integrals), keep)| {
             let any = keep.iter().any(|&k| k);
-            any.then(|| dual_basis(patch.kind, &integrals.mass, keep))
+            any.then(|| dual_basis(shape.kind, &integrals.mass, keep))
         })
         .collect();
     // Where the multipliers of a node stand: faces and rows of their bases, by ascending face.
     let mut places = vec![Vec::new(); slave.surface.nodes.len()];
     for (face, basis) in bases.iter().enumerate() {
         for (row, &local) in basis.iter().flat_map(|basis| &basis.kept).enumerate() {
-            places[slave.index_of(patches[face].nodes()[local])].push((face, row));
+            places[slave.index_of(face, shapes[face].nodes()[local])].push((face, row));
         }
     }
     let row = |places: &Vec<(usize, usize)>| {
@@ -165,7 +177,7 @@ impl Sum {
         psi: &[f64; MAX_NODES],
         master: Option<Master<'_>>,
     ) {
-        let nodes = slave.patches.patches[face].nodes();
+        let nodes = slave.faces.shapes[face].nodes();
         for (l, &node) in nodes.iter().enumerate() {
             let value = (0..nodes.len())
                 .map(|k| psi[k] * integrals.mass[k][l])
@@ -181,7 +193,7 @@ impl Sum {
         }
         for Partner { face, moments } in &integrals.partners {
             let Some(master) = master else { continue };
-            let partners = master.patches.patches[*face].nodes();
+            let partners = master.faces.shapes[*face].nodes();
             for (l, &node) in partners.iter().enumerate() {
                 let value = (0..nodes.len())
                     .map(|k| psi[k] * moments[partners.len() * k + l])

@@ -3,20 +3,22 @@
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
-use crate::{ContactError, ContactSurface};
+use crate::error::ContactError;
+use crate::surface::nodes::ContactSurface;
 
 /// Two nodes are at one place when they are closer than this share of the distance to the next node
 /// of the face. Mesh generators write coordinates with six digits or more.
 const RELATIVE_TOLERANCE: f64 = 1e-5;
 
-/// For each slave node the index (into `master.nodes`) of the master node at its place.
-pub(crate) fn pair_node_by_node(
+/// For each slave node (once, whatever its patches) the index (into `master.nodes`) of the master node at its
+/// place. The master is one patch.
+pub(crate) fn match_nodes(
     slave: &ContactSurface,
     master: &ContactSurface,
 ) -> Result<Vec<usize>, ContactError> {
-    if slave.nodes.len() != master.nodes.len() {
+    if slave.node_count() != master.nodes.len() {
         return Err(ContactError::NodeCounts {
-            slave: slave.nodes.len(),
+            slave: slave.node_count(),
             master: master.nodes.len(),
         });
     }
@@ -29,9 +31,9 @@ pub(crate) fn pair_node_by_node(
             .collect(),
     );
     let mut taken = vec![false; master.nodes.len()];
-    slave
-        .nodes
-        .iter()
+    let places = slave.nodes.chunk_by(|a, b| a.node == b.node);
+    places
+        .map(|of_node| &of_node[0])
         .map(|node| {
             let tolerance = RELATIVE_TOLERANCE * node.spacing;
             let (distance, partner) = tree

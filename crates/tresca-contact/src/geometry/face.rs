@@ -1,11 +1,9 @@
-//! The faces of a surface with their shape functions.
+//! A face of a surface with its shape functions.
 
-use tresca_fem::mesh::{CellKind, Face, Mesh, Space};
+use tresca_fem::mesh::CellKind;
+use tresca_fem::vector3::{cross, norm};
 
-use super::Facet;
-
-use crate::ContactError;
-use crate::frame::{cross, dot, norm};
+use crate::error::ContactError;
 
 /// Most nodes that a face can have (quad9).
 pub(crate) const MAX_NODES: usize = 9;
@@ -13,7 +11,7 @@ pub(crate) const MAX_NODES: usize = 9;
 /// A face with the places of its nodes. Seen from outside of its body its corners go round
 /// counter-clockwise; in the plane the outward normal is the tangent turned clockwise.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Patch {
+pub(crate) struct FaceShape {
     /// The face element.
     pub kind: CellKind,
     nodes: [usize; MAX_NODES],
@@ -24,13 +22,13 @@ pub(crate) struct Patch {
     pub distortion: f64,
 }
 
-impl Patch {
+impl FaceShape {
     /// A face of `kind` with the given nodes among `points`.
     pub fn new(
         kind: CellKind,
         nodes: &[usize],
         points: &[[f64; 3]],
-    ) -> Result<Patch, ContactError> {
+    ) -> Result<FaceShape, ContactError> {
         let count = kind.node_count();
         if kind.facets().is_empty() || nodes.len() != count {
             return Err(ContactError::FaceKind {
@@ -38,7 +36,7 @@ impl Patch {
                 nodes: nodes.len(),
             });
         }
-        let mut patch = Patch {
+        let mut shape = FaceShape {
             kind,
             nodes: [0; MAX_NODES],
             points: [[0.0; 3]; MAX_NODES],
@@ -46,14 +44,14 @@ impl Patch {
             distortion: 0.0,
         };
         for (a, &node) in nodes.iter().enumerate() {
-            patch.nodes[a] = node;
-            patch.points[a] = *points
+            shape.nodes[a] = node;
+            shape.points[a] = *points
                 .get(node)
                 .filter(|point| point.iter().all(|x| x.is_finite()))
                 .ok_or(ContactError::FaceNode { node })?;
         }
-        patch.distortion = patch.change_of_tangents();
-        Ok(patch)
+        shape.distortion = shape.change_of_tangents();
+        Ok(shape)
     }
 
     /// Node numbers.
@@ -67,7 +65,7 @@ impl Patch {
     }
 
     /// φ_a(ξ), zero beyond the face's nodes.
-    pub fn shape(&self, xi: [f64; 3]) -> [f64; MAX_NODES] {
+    pub fn values(&self, xi: [f64; 3]) -> [f64; MAX_NODES] {
         let mut values = [0.0; MAX_NODES];
         let element = self.kind.element();
         element.shape(xi, &mut values[..self.count]);
@@ -142,74 +140,6 @@ pub(crate) fn combine(values: &[f64], points: &[[f64; 3]]) -> [f64; 3] {
         }
     }
     x
-}
-
-/// A surface as a list of faces, each divided into flat facets.
-#[derive(Debug, Clone)]
-pub(crate) struct Patches {
-    /// What areas on the surface are multiplied by.
-    pub space: Space,
-    /// The faces.
-    pub patches: Vec<Patch>,
-    /// The facets of all faces, face by face.
-    pub facets: Vec<Facet>,
-    starts: Vec<usize>,
-}
-
-impl Patches {
-    /// The faces of a body.
-    pub fn of_mesh(mesh: &Mesh, faces: &[Face]) -> Result<Self, ContactError> {
-        if faces.is_empty() {
-            return Err(ContactError::Empty);
-        }
-        let patches = faces
-            .iter()
-            .map(|&face| Patch::new(mesh.face_kind(face), &mesh.face_nodes(face), &mesh.points));
-        Self::new(mesh.space, patches.collect::<Result<_, _>>()?)
-    }
-
-    /// A surface of given faces.
-    pub fn new(space: Space, patches: Vec<Patch>) -> Result<Self, ContactError> {
-        let mut facets = Vec::with_capacity(patches.len());
-        let mut starts = vec![0];
-        for (index, patch) in patches.iter().enumerate() {
-            if patch.kind.dimension() + 1 != space.dimension() {
-                return Err(ContactError::FaceKind {
-                    kind: patch.kind,
-                    nodes: patch.nodes().len(),
-                });
-            }
-            for corners in patch.kind.facets() {
-                facets.push(Facet::new(patch, index, corners)?);
-            }
-            starts.push(facets.len());
-        }
-        Ok(Self {
-            space,
-            patches,
-            facets,
-            starts,
-        })
-    }
-
-    /// The facets of a face.
-    pub fn facets_of(&self, patch: usize) -> &[Facet] {
-        &self.facets[self.starts[patch]..self.starts[patch + 1]]
-    }
-
-    /// Diagonal of the box around all nodes.
-    pub fn diagonal(&self) -> f64 {
-        let mut low = [f64::INFINITY; 3];
-        let mut high = [f64::NEG_INFINITY; 3];
-        for point in self.patches.iter().flat_map(Patch::points) {
-            for k in 0..3 {
-                low[k] = low[k].min(point[k]);
-                high[k] = high[k].max(point[k]);
-            }
-        }
-        let size: [f64; 3] = std::array::from_fn(|k| high[k] - low[k]);
-        dot(size, size).sqrt()
-    }
 }
 
 /// How a face element is divided into facets, and how much its polynomials can do.

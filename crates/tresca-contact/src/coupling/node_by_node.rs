@@ -2,10 +2,15 @@
 
 use std::collections::BTreeSet;
 
-use crate::frame::dot;
-use crate::pair::{Location, coupling, pair};
-use crate::pairing::pair_node_by_node;
-use crate::{ContactData, ContactError, ContactSurface, Discretization, Field, Interface, Side};
+use tresca_fem::vector3::dot;
+
+use super::matching::match_nodes;
+use crate::data::{ContactData, Discretization, SharedNode};
+use crate::error::ContactError;
+use crate::interface::{Interface, Side};
+use crate::pair::rows::{Location, coupling, pair};
+use crate::scalar_field::ScalarField;
+use crate::surface::nodes::ContactSurface;
 
 /// Couples two surfaces whose nodes lie on one another: a pair for each two nodes, with B = ±1 in its
 /// frame.
@@ -28,20 +33,24 @@ pub fn couple_node_by_node(
             return Err(ContactError::QuadraticFaces { kind });
         }
     }
-    let slave_surface = ContactSurface::new(slave.mesh, slave.faces)?;
+    let slave_surface = ContactSurface::of_side(slave)?;
     let master_surface = ContactSurface::new(master.mesh, master.faces)?;
-    let partners = pair_node_by_node(&slave_surface, &master_surface)?;
+    let partners = match_nodes(&slave_surface, &master_surface)?;
 
-    let count = slave_surface.nodes.len();
+    let count = slave_surface.node_count();
     let mut pairs = Vec::with_capacity(count);
     let mut nodes = [Vec::with_capacity(count), Vec::with_capacity(count)];
     let (mut held_pairs, mut shared) = (0, Vec::new());
     let taken = [slave, master].map(|side| side.taken.iter().copied().collect::<BTreeSet<_>>());
-    for (index, (node, &partner)) in slave_surface.nodes.iter().zip(&partners).enumerate() {
-        let partner = &master_surface.nodes[partner];
+    for node in &slave_surface.nodes {
+        let partner = &master_surface.nodes[partners[node.ordinal]];
         // Another contact of these two bodies couples these two nodes already: its rows span all of ours.
         if taken[0].contains(&node.node) && taken[1].contains(&partner.node) {
-            shared.push((node.node, node.area));
+            shared.push(SharedNode {
+                node: node.node,
+                area: node.area,
+                normal: node.normal,
+            });
             continue;
         }
         let free = std::array::from_fn(|component| {
@@ -53,10 +62,11 @@ pub fn couple_node_by_node(
             held_pairs += 1;
             continue;
         }
-        let value = |field: &Field| field.at(index, count, node.point);
+        let value = |field: &ScalarField| field.at(node.ordinal, count, node.point);
         let offset = std::array::from_fn(|k| partner.point[k] - node.point[k]);
         let location = Location {
             slave_node: node.node,
+            patch: node.patch,
             master_node: Some(partner.node),
             point: node.point,
             normal: node.normal,

@@ -6,10 +6,10 @@
 //! share of a face goes to its other nodes. On a face all of whose nodes would have to go, some stay, so that
 //! the face still carries its pressure.
 
-use super::SlaveSurface;
 use super::dual::positive_measures;
 use super::integrals::{FaceIntegrals, over_faces};
-use crate::geometry::{MAX_NODES, Patch};
+use super::slave::SlaveSurface;
+use crate::geometry::face::{FaceShape, MAX_NODES};
 
 /// A node has no multiplier when its covered share is below this part of what its best neighbour has …
 const SHARE_OF_NEIGHBOUR: f64 = 0.01;
@@ -27,16 +27,19 @@ pub(crate) fn multipliers(
     integrals: &[FaceIntegrals],
     rigid: bool,
 ) -> Vec<[bool; MAX_NODES]> {
-    let patches = &slave.patches.patches;
+    let shapes = &slave.faces.shapes;
     let nodes = &slave.surface.nodes;
-    let whole = over_faces(&slave.patches, |_| Some([0.0; MAX_NODES]));
+    let whole = over_faces(&slave.faces, |_, _| Some([0.0; MAX_NODES]));
     let covered_share = shares(slave, integrals);
     let whole_share = shares(slave, &whole);
 
-    let faces = || patches.iter().zip(integrals);
+    let faces = || shapes.iter().zip(integrals);
     let mut best = vec![0.0_f64; nodes.len()];
-    for (patch, _) in faces().filter(|(_, integrals)| integrals.area > 0.0) {
-        let indices = || patch.nodes().iter().map(|&node| slave.index_of(node));
+    for (face, (shape, _)) in faces()
+        .enumerate()
+        .filter(|(_, (_, integrals))| integrals.area > 0.0)
+    {
+        let indices = || shape.nodes().iter().map(|&node| slave.index_of(face, node));
         let top = indices().map(|i| covered_share[i]).fold(0.0, f64::max);
         for i in indices() {
             best[i] = best[i].max(top);
@@ -49,12 +52,16 @@ pub(crate) fn multipliers(
     };
     let held: Vec<bool> = (0..nodes.len()).map(|i| slave.holds_normal(i)).collect();
 
-    let keep = |(index, (patch, integrals)): (usize, (&Patch, &FaceIntegrals))| {
+    let keep = |(index, (shape, integrals)): (usize, (&FaceShape, &FaceIntegrals))| {
         let mut keep = [false; MAX_NODES];
         if integrals.area <= 0.0 {
             return keep;
         }
-        let indices: Vec<usize> = patch.nodes().iter().map(|&n| slave.index_of(n)).collect();
+        let indices: Vec<usize> = shape
+            .nodes()
+            .iter()
+            .map(|&n| slave.index_of(index, n))
+            .collect();
         let any = |able: &dyn Fn(usize) -> bool| indices.iter().any(|&i| able(i));
         let own = |i: usize| !held[i] && !slave.taken[i];
         let free = |i: usize| !held[i];
@@ -87,10 +94,10 @@ pub(crate) fn multipliers(
 /// ∫ φ⁺ by node of the surface, over what is integrated.
 fn shares(slave: &SlaveSurface<'_>, integrals: &[FaceIntegrals]) -> Vec<f64> {
     let mut shares = vec![0.0; slave.surface.nodes.len()];
-    for (patch, integrals) in slave.patches.patches.iter().zip(integrals) {
-        let measures = positive_measures(patch.kind, &integrals.mass);
-        for (&node, measure) in patch.nodes().iter().zip(measures) {
-            shares[slave.index_of(node)] += measure;
+    for (face, (shape, integrals)) in slave.faces.shapes.iter().zip(integrals).enumerate() {
+        let measures = positive_measures(shape.kind, &integrals.mass);
+        for (&node, measure) in shape.nodes().iter().zip(measures) {
+            shares[slave.index_of(face, node)] += measure;
         }
     }
     shares

@@ -4,10 +4,13 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use tresca_fem::vector3::{dot, norm, unit};
+
 use super::rules::{Rules, face_rule};
 use super::segment::Segments;
-use crate::frame::{dot, norm, unit};
-use crate::geometry::{FacetTree, MAX_NODES, Patch, Patches, Reach, combine};
+use crate::geometry::face::{FaceShape, MAX_NODES, combine};
+use crate::geometry::faces::FaceShapes;
+use crate::geometry::search::{FacetTree, Reach};
 
 /// A matrix with a row and a column for each node of a face.
 pub(crate) type Square = [[f64; MAX_NODES]; MAX_NODES];
@@ -56,31 +59,31 @@ impl FaceIntegrals {
 
 /// Integrates over the segments of every slave face with all master faces within reach.
 ///
-/// `normal` gives the unit normal ν at a node of the slave; the gap at a point of the face is
+/// `normal` gives the unit normal ν at a node of a slave face; the gap at a point of the face is
 /// (x_m − x_s)·ν with ν interpolated. A master surface parallel to the slave's tangent plane is thus seen
 /// at its distance, although it was found along the facet's normal, which is first order only.
 pub(crate) fn over_segments(
-    slave: &Patches,
-    master: &Patches,
+    slave: &FaceShapes,
+    master: &FaceShapes,
     reach: Reach,
-    normal: impl Fn(usize) -> [f64; 3] + Sync,
+    normal: impl Fn(usize, usize) -> [f64; 3] + Sync,
 ) -> Vec<FaceIntegrals> {
     let tree = FacetTree::new(&master.facets);
     let rules = Rules::new();
-    let face = |(index, patch): (usize, &Patch)| {
-        let count = patch.nodes().len();
+    let face = |(index, shape): (usize, &FaceShape)| {
+        let count = shape.nodes().len();
         let mut integrals = FaceIntegrals::zero();
         let mut blocks: BTreeMap<usize, Vec<f64>> = BTreeMap::new();
         let mut points = Vec::new();
         let mut normals = [[0.0; 3]; MAX_NODES];
-        for (own, &node) in normals.iter_mut().zip(patch.nodes()) {
-            *own = normal(node);
+        for (own, &node) in normals.iter_mut().zip(shape.nodes()) {
+            *own = normal(index, node);
         }
         for facet in slave.facets_of(index) {
-            let segments = Segments::new(slave.space, &rules, patch, facet);
+            let segments = Segments::new(slave.space, &rules, shape, facet);
             for candidate in tree.candidates(facet, reach) {
                 let other = &master.facets[candidate];
-                let partner = &master.patches[other.patch];
+                let partner = &master.shapes[other.face];
                 segments.points(partner, other, &mut points);
                 let near = points.iter().map(|point| point.distance.abs());
                 let nearest = near.fold(f64::INFINITY, f64::min);
@@ -89,7 +92,7 @@ pub(crate) fn over_segments(
                 }
                 let columns = partner.nodes().len();
                 let block = blocks
-                    .entry(other.patch)
+                    .entry(other.face)
                     .or_insert_with(|| vec![0.0; count * columns]);
                 for point in &points {
                     integrals.add(count, &point.slave, point.weight);
@@ -111,26 +114,26 @@ pub(crate) fn over_segments(
             .collect();
         integrals
     };
-    slave.patches.par_iter().enumerate().map(face).collect()
+    slave.shapes.par_iter().enumerate().map(face).collect()
 }
 
 /// Integrates over whole faces, where `gaps` gives a gap at each of the nodes; `None` leaves a face
 /// out.
 pub(crate) fn over_faces(
-    slave: &Patches,
-    gaps: impl Fn(&Patch) -> Option<[f64; MAX_NODES]> + Sync,
+    slave: &FaceShapes,
+    gaps: impl Fn(usize, &FaceShape) -> Option<[f64; MAX_NODES]> + Sync,
 ) -> Vec<FaceIntegrals> {
-    let face = |patch: &Patch| {
+    let face = |(index, shape): (usize, &FaceShape)| {
         let mut integrals = FaceIntegrals::zero();
-        let Some(gaps) = gaps(patch) else {
+        let Some(gaps) = gaps(index, shape) else {
             return integrals;
         };
-        let count = patch.nodes().len();
-        let rule = face_rule(patch.kind);
+        let count = shape.nodes().len();
+        let rule = face_rule(shape.kind);
         for (&xi, weight) in rule.points.iter().zip(&rule.weights) {
-            let values = patch.shape(xi);
-            let circumference = slave.space.circumference(patch.position(&values));
-            let weight = weight * norm(patch.area_vector(xi)) * circumference;
+            let values = shape.values(xi);
+            let circumference = slave.space.circumference(shape.position(&values));
+            let weight = weight * norm(shape.area_vector(xi)) * circumference;
             integrals.add(count, &values, weight);
         }
         for k in 0..count {
@@ -138,5 +141,5 @@ pub(crate) fn over_faces(
         }
         integrals
     };
-    slave.patches.par_iter().map(face).collect()
+    slave.shapes.par_iter().enumerate().map(face).collect()
 }

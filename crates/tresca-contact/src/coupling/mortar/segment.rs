@@ -8,9 +8,12 @@
 use tresca_fem::mesh::Space;
 use tresca_fem::quadrature::Rule;
 
+use tresca_fem::vector3::{dot, norm};
+
 use super::rules::Rules;
-use crate::frame::{dot, norm};
-use crate::geometry::{Facet, MAX_NODES, Patch, Plane, Point2, Polygon, cross2};
+use crate::geometry::face::{FaceShape, MAX_NODES};
+use crate::geometry::facet::{Facet, Plane};
+use crate::geometry::polygon::{Point2, Polygon, cross2};
 
 /// Pieces smaller than this share of the slave facet are rounding.
 const SLIVER: f64 = 1e-12;
@@ -37,7 +40,7 @@ pub(crate) struct SegmentPoint {
 pub(crate) struct Segments<'a> {
     space: Space,
     rules: &'a Rules,
-    slave: &'a Patch,
+    slave: &'a FaceShape,
     facet: &'a Facet,
     plane: Plane,
     corners: [Point2; 4],
@@ -46,7 +49,7 @@ pub(crate) struct Segments<'a> {
 
 impl<'a> Segments<'a> {
     /// Projects a facet of the slave face on its own plane.
-    pub fn new(space: Space, rules: &'a Rules, slave: &'a Patch, facet: &'a Facet) -> Self {
+    pub fn new(space: Space, rules: &'a Rules, slave: &'a FaceShape, facet: &'a Facet) -> Self {
         let plane = Plane::of(facet);
         let (corners, count) = facet.on(&plane);
         Self {
@@ -61,7 +64,7 @@ impl<'a> Segments<'a> {
     }
 
     /// Writes the integration points on the common part with a facet of the master face.
-    pub fn points(&self, master: &Patch, facet: &Facet, points: &mut Vec<SegmentPoint>) {
+    pub fn points(&self, master: &FaceShape, facet: &Facet, points: &mut Vec<SegmentPoint>) {
         let rule = self.rules.segment(self.space, self.slave, master);
         self.points_of(rule, master, facet, points);
     }
@@ -70,7 +73,7 @@ impl<'a> Segments<'a> {
     /// negative behind the slave; `None` without a common part.
     pub fn distance(
         &self,
-        master: &Patch,
+        master: &FaceShape,
         facet: &Facet,
         work: &mut Vec<SegmentPoint>,
     ) -> Option<f64> {
@@ -82,7 +85,7 @@ impl<'a> Segments<'a> {
     fn points_of(
         &self,
         rule: &Rule,
-        master: &Patch,
+        master: &FaceShape,
         facet: &Facet,
         points: &mut Vec<SegmentPoint>,
     ) {
@@ -125,12 +128,12 @@ impl<'a> Segments<'a> {
         &self,
         p: Point2,
         weight: f64,
-        master: &Patch,
+        master: &FaceShape,
         facet: &Facet,
         corners: &[Point2; 4],
     ) -> SegmentPoint {
         let (xi, density) = self.facet.locate(&self.corners, p);
-        let slave_values = self.slave.shape(xi);
+        let slave_values = self.slave.values(xi);
         let x = self.slave.position(&slave_values);
         // On an affine face both measures are that of the plane.
         let stretch = if self.slave.affine() {
@@ -145,7 +148,7 @@ impl<'a> Segments<'a> {
         } else {
             self.project(master, foot, start)
         };
-        let master_values = master.shape(xi);
+        let master_values = master.values(xi);
         let y = master.position(&master_values);
         let offset = std::array::from_fn(|k| y[k] - x[k]);
         SegmentPoint {
@@ -159,13 +162,13 @@ impl<'a> Segments<'a> {
 
     /// ξ of the point of a curved face over a point of the plane, by Newton's method from the
     /// point of its facet; that point itself where the method leaves its neighbourhood.
-    fn project(&self, patch: &Patch, foot: Point2, start: [f64; 3]) -> [f64; 3] {
+    fn project(&self, shape: &FaceShape, foot: Point2, start: [f64; 3]) -> [f64; 3] {
         let mut xi = start;
         for _ in 0..20 {
-            let place = self.plane.project(patch.position(&patch.shape(xi)));
+            let place = self.plane.project(shape.position(&shape.values(xi)));
             let residual = [foot[0] - place[0], foot[1] - place[1]];
-            let [u, v] = patch.tangents(xi).map(|t| self.plane.direction(t));
-            let step = if patch.kind.dimension() == 1 {
+            let [u, v] = shape.tangents(xi).map(|t| self.plane.direction(t));
+            let step = if shape.kind.dimension() == 1 {
                 [residual[0] / u[0], 0.0]
             } else {
                 let determinant = cross2(u, v);

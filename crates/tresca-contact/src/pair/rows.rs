@@ -3,12 +3,17 @@
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use tresca_fem::mesh::Mesh;
 
-use crate::restrained::restrained_frame;
-use crate::{ContactError, ContactPair, Field, Frame, Interface, Mobility};
+use super::mobility::{Mobility, restrained_frame};
+use crate::data::ContactPair;
+use crate::error::ContactError;
+use crate::frame::Frame;
+use crate::interface::Interface;
+use crate::scalar_field::ScalarField;
 
 /// Where a pair stands.
 pub(crate) struct Location {
     pub slave_node: usize,
+    pub patch: usize,
     pub master_node: Option<usize>,
     pub point: [f64; 3],
     /// Unit normal out of the slave.
@@ -22,7 +27,7 @@ pub(crate) fn pair(
     at: Location,
     free: [bool; 3],
     interface: Interface<'_>,
-    value: impl Fn(&Field) -> Result<f64, ContactError>,
+    value: impl Fn(&ScalarField) -> Result<f64, ContactError>,
     gap: impl Fn([f64; 3]) -> f64,
 ) -> Result<ContactPair, ContactError> {
     let law = interface.friction;
@@ -54,6 +59,7 @@ pub(crate) fn pair(
     }
     Ok(ContactPair {
         slave_node: at.slave_node,
+        patch: at.patch,
         master_node: at.master_node,
         point: at.point,
         frame,

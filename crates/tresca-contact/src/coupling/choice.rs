@@ -2,8 +2,11 @@
 
 use tresca_fem::mesh::{Face, Mesh};
 
-use crate::mortar::couple_mortar;
-use crate::{ContactData, ContactError, Interface, Side, couple_node_by_node};
+use super::mortar::couple::couple_mortar;
+use super::node_by_node::couple_node_by_node;
+use crate::data::ContactData;
+use crate::error::ContactError;
+use crate::interface::{Interface, Side};
 
 /// How two surfaces are coupled.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

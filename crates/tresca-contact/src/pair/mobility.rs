@@ -5,8 +5,9 @@
 //! such a pair is laid along what is left: the normal within the free directions if it has a part
 //! there, and the tangents such that as many of them as possible see nothing at all.
 
-use crate::Frame;
-use crate::frame::{cross, dot, unit};
+use tresca_fem::vector3::{cross, dot, unit};
+
+use crate::frame::Frame;
 
 /// A normal with less than this part in the free directions is held.
 const HELD_NORMAL: f64 = 0.1;

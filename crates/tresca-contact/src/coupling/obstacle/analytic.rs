@@ -1,8 +1,9 @@
 //! Nearest points of planes, spheres and cylinders.
 
-use super::Obstacle;
-use crate::ContactError;
-use crate::frame::{dot, norm, unit};
+use tresca_fem::vector3::{dot, norm, unit};
+
+use super::shape::RigidShape;
+use crate::error::ContactError;
 
 /// Deeper than this share of the radius the nearest point of a round obstacle means nothing.
 const DEEPEST: f64 = 0.5;
@@ -34,7 +35,7 @@ pub(super) enum Analytic {
 
 impl Analytic {
     /// Checks an obstacle for a space of the given dimension.
-    pub fn new(obstacle: &Obstacle, dimension: usize) -> Result<Self, ContactError> {
+    pub fn new(obstacle: &RigidShape, dimension: usize) -> Result<Self, ContactError> {
         let wrong = |what| Err(ContactError::Obstacle { what });
         // In the plane the third coordinate has no meaning.
         let in_space =
@@ -42,7 +43,7 @@ impl Analytic {
         let finite = |a: &[f64; 3]| a.iter().all(|x| x.is_finite());
         let direction = |a: [f64; 3]| Some(unit(a)).filter(finite);
         match *obstacle {
-            Obstacle::Plane { point, normal } => {
+            RigidShape::Plane { point, normal } => {
                 let Some(normal) = direction(in_space(normal)) else {
                     return wrong("the normal of an obstacle's plane must be a direction");
                 };
@@ -52,15 +53,15 @@ impl Analytic {
                 let point = in_space(point);
                 Ok(Self::Plane { point, normal })
             }
-            Obstacle::Sphere { center, radius, .. }
-            | Obstacle::Cylinder {
+            RigidShape::Sphere { center, radius, .. }
+            | RigidShape::Cylinder {
                 point: center,
                 radius,
                 ..
             } if !(finite(&center) && radius.is_finite() && radius > 0.0) => {
                 wrong("the centre of a round obstacle must be finite, its radius positive")
             }
-            Obstacle::Sphere {
+            RigidShape::Sphere {
                 center,
                 radius,
                 inside,
@@ -70,7 +71,7 @@ impl Analytic {
                 radius,
                 inside,
             }),
-            Obstacle::Cylinder {
+            RigidShape::Cylinder {
                 point,
                 axis,
                 radius,
@@ -91,7 +92,7 @@ impl Analytic {
                     inside,
                 })
             }
-            Obstacle::Surface(_) => wrong("a surface of faces has no closed form"),
+            RigidShape::Surface(_) => wrong("a surface of faces has no closed form"),
         }
     }
 

@@ -3,7 +3,7 @@
 use tresca_fem::mesh::{CellKind, Space};
 use tresca_fem::quadrature::{Rule, gauss_line, gauss_square, triangle};
 
-use crate::geometry::{FaceElement, Patch};
+use crate::geometry::face::{FaceElement, FaceShape};
 
 /// Highest degree in use: two curved quad9.
 const HIGHEST: usize = 12;
@@ -41,14 +41,14 @@ impl Rules {
     /// On affine faces all products are polynomials on the segment and the rule is exact. Where one of the
     /// faces is no affine image of its reference element (curved, or a flat quadrilateral that is no
     /// parallelogram) they are not; a rule of higher degree then leaves errors of its order.
-    pub fn segment(&self, space: Space, slave: &Patch, master: &Patch) -> &Rule {
+    pub fn segment(&self, space: Space, slave: &FaceShape, master: &FaceShape) -> &Rule {
         let (s, m) = (slave.kind.degree(), master.kind.degree());
         // Measured on quadrilaterals distorted by a quarter, and by 5 %, of their size: 1e-10 of a constant
         // pressure.
-        let beyond = |patch: &Patch| match patch.kind {
-            _ if patch.affine() => 0,
+        let beyond = |shape: &FaceShape| match shape.kind {
+            _ if shape.affine() => 0,
             CellKind::Line3 | CellKind::Tri6 => 2,
-            _ if patch.distortion < 0.05 => 2,
+            _ if shape.distortion < 0.05 => 2,
             _ => 4,
         };
         let beyond = beyond(slave).max(beyond(master));

@@ -18,7 +18,7 @@
 use tresca_fem::mesh::CellKind;
 
 use super::integrals::Square;
-use crate::geometry::MAX_NODES;
+use crate::geometry::face::MAX_NODES;
 
 /// A Cholesky pivot of the scaled M̃ below this says that the covered part is too small to tell the
 /// functions on it apart; then one node less has a multiplier there.

@@ -1,0 +1,5 @@
+//! Rigid obstacles.
+
+mod analytic;
+pub(crate) mod couple;
+pub(crate) mod shape;

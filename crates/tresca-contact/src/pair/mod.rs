@@ -1,0 +1,4 @@
+//! A contact pair: what it can do beside supports, and its rows of B.
+
+pub(crate) mod mobility;
+pub(crate) mod rows;
