@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use tresca::material::Isotropic;
 use tresca::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
 use tresca::model;
-use tresca::{Body, Contact, FrictionLaw, Model, Obstacle, Outcome, Settings, Silent, Support};
+use tresca::{Body, Contact, FrictionLaw, Model, RigidShape, Outcome, Settings, Silent, Support};
 
 use super::support::{assert_close, digits, report};
 
@@ -84,12 +84,12 @@ fn on_plane(space: Space, kind: CellKind, cells: usize, focus: f64, approach: f6
     model.add_support(Support::new("ball.x-", axis)).unwrap();
     let pushed = [None, Some(-approach), None];
     model.add_support(Support::new("ball.y+", pushed)).unwrap();
-    let plane = Obstacle::Plane {
+    let plane = RigidShape::Plane {
         point: [0.0; 3],
         normal: [0.0, 1.0, 0.0],
     };
     model
-        .add_obstacle(model::Obstacle::new("plane", plane))
+        .add_obstacle(model::RigidShape::new("plane", plane))
         .unwrap();
     let contact = Contact::new("ball.y-", "plane", FrictionLaw::Frictionless).search(RADIUS);
     model.add_contact(contact).unwrap();
