@@ -89,7 +89,7 @@ fn on_plane(space: Space, kind: CellKind, cells: usize, focus: f64, approach: f6
         normal: [0.0, 1.0, 0.0],
     };
     model
-        .add_obstacle(model::RigidShape::new("plane", plane))
+        .add_obstacle(model::Obstacle::new("plane", plane))
         .unwrap();
     let contact = Contact::new("ball.y-", "plane", FrictionLaw::Frictionless).search(RADIUS);
     model.add_contact(contact).unwrap();
