@@ -1,8 +1,7 @@
 //! Sizes of a problem, how it is going to be solved, and what that took.
 
 use serde::Serialize;
-
-use crate::engine::EngineChoice;
+use tresca_qcqp::Engine;
 
 /// Sizes of a problem and how it is going to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,6 +20,15 @@ pub struct Description {
     pub engine: EngineChoice,
     /// What the factorisation cost.
     pub factorization: FactorWork,
+}
+
+/// Which engine multiplies by A, and why.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EngineChoice {
+    /// The engine, never [`Engine::Auto`].
+    pub engine: Engine,
+    /// Why this one.
+    pub reason: String,
 }
 
 /// What the factorisation cost.

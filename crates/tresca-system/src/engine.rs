@@ -9,6 +9,7 @@ use tresca_qcqp::operator::{Condensed, Factored};
 use tresca_qcqp::{DualProblem, Engine, Equality, QcqpError};
 
 use crate::body::{Body, Factors};
+use crate::description::EngineChoice;
 use crate::layout::Layout;
 
 /// Up to this many dual unknowns A is formed by default, and its active blocks are factored: no
@@ -22,15 +23,6 @@ const EXPLICIT_FOR_MANY_UP_TO: usize = 6000;
 
 /// Largest patch of the local model of A (see `docs/reproduction.md` for what its size does).
 pub const PAIRS_PER_PATCH: usize = 24;
-
-/// Which engine multiplies by A, and why.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-pub struct EngineChoice {
-    /// The engine, never [`Engine::Auto`].
-    pub engine: Engine,
-    /// Why this one.
-    pub reason: String,
-}
 
 /// Chooses the engine: what the user asked for, or by the size of the dual problem and by whether A
 /// serves for `many` solves.

@@ -65,8 +65,8 @@ pub use tresca_qcqp::{
 };
 pub use tresca_system::body::Factors;
 pub use tresca_system::certificate::{self, Certificate};
+pub use tresca_system::description::EngineChoice;
 pub use tresca_system::description::{Description, FactorWork, Times};
-pub use tresca_system::engine::EngineChoice;
 pub use tresca_system::layout::Layout;
 pub use tresca_system::progress::{self, Progress, Silent, Stage, StepInfo, Stopped};
 

@@ -10,8 +10,8 @@ use crate::model::Model;
 use crate::outcome::{Outcome, StepOutcome};
 use crate::pair_state::PairState;
 use crate::reactions::{SupportReaction, support_reactions};
+use tresca_system::description::EngineChoice;
 use tresca_system::description::FactorWork;
-use tresca_system::engine::EngineChoice;
 
 /// `summary.json`. Forces, lengths and stresses in the user's units.
 #[derive(Debug, Clone, Serialize)]

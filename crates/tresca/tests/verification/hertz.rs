@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 use tresca::material::Isotropic;
 use tresca::mesh::{CellKind, Mesh, RectangleSpec, Space, rectangle};
 use tresca::model;
-use tresca::{Body, Contact, FrictionLaw, Model, RigidShape, Outcome, Settings, Silent, Support};
+use tresca::{Body, Contact, FrictionLaw, Model, Outcome, RigidShape, Settings, Silent, Support};
 
 use super::support::{assert_close, digits, report};
 
