@@ -124,9 +124,9 @@ def reflow(text):
 
     What would begin another block does not come first in a line, nor does a unit:
 
-    >>> print(reflow("word " * 19 + "a - b"))
+    >>> print(reflow("word " * 19 + "wide - b"))
     word word word word word word word word word word word word word word word word word word word
-    a - b
+    wide - b
     >>> print(reflow("word " * 18 + "words 10 mm"))
     word word word word word word word word word word word word word word word word word word words
     10 mm
