@@ -24,6 +24,8 @@ ALONE = re.compile(r"\s*(#{1,6}\s|\||(?:[-*_]\s*){3,}$|!\[[^\]]*\]\([^)]*\)\s*$|
 HTML = re.compile(r"\s*<(?!https?:)[A-Za-z/!]")
 # A word that would begin another block if it came first in a line.
 MARKER = re.compile(r"(?:[-+*>|=]|#{1,6}|\d{1,9}[.)])$|>|\||[-=]{2,}|```|~~~")
+# A unit stays with its number.
+UNIT = re.compile(r"(?:%|[kMG]?(?:N|Pa|FLOP|iB)|[mµ]?(?:m|s)|degrees)[²³]?[.,;:)]*$")
 # What a line may not be broken in: images and links, code spans. Text in brackets nests once.
 BRACKETS = r"\[(?:[^\[\]]|\[[^\]]*\])*\]"
 WHOLE = re.compile(rf"(`+)(?!`).*?(?<!`)\1(?!`)|!?{BRACKETS}(?:\([^()\s]*(?:\s+\"[^\"]*\")?\)|\[[^\]]*\])")
@@ -47,10 +49,11 @@ def words(text):
         else:
             word += text[at]
             at += 1
-    # A marker in the middle of a sentence ("a - b") goes with the word before it, lest it begin a line.
+    # A marker in the middle of a sentence ("a - b") goes with the word before it, lest it begin a line; so does
+    # a unit with its number.
     kept = []
     for word in filter(None, [*found, word]):
-        if kept and MARKER.match(word):
+        if kept and (MARKER.match(word) or (kept[-1][-1].isdigit() and UNIT.match(word))):
             kept[-1] += f" {word}"
         else:
             kept.append(word)
@@ -113,7 +116,27 @@ def verbatim(lines, at, inside):
 
 
 def reflow(text):
-    """The text with its paragraphs and list items filled."""
+    """The text with its paragraphs and list items filled.
+
+    >>> print(reflow("- " + "word " * 17 + "[a link](that/is/not/broken) and" + " more" * 3))
+    - word word word word word word word word word word word word word word word word word
+      [a link](that/is/not/broken) and more more more
+
+    What would begin another block does not come first in a line, nor does a unit:
+
+    >>> print(reflow("word " * 19 + "wide - b"))
+    word word word word word word word word word word word word word word word word word word word
+    wide - b
+    >>> print(reflow("word " * 18 + "words 10 mm"))
+    word word word word word word word word word word word word word word word word word word words
+    10 mm
+
+    Tables, code, and the ends of lines that break stay:
+
+    >>> kept = "| a |\\n|---|\\n| " + "b " * 60 + "|\\n\\n    " + "code " * 30 + "\\n\\none  \\ntwo"
+    >>> reflow(kept) == kept
+    True
+    """
     lines, out, at = text.split("\n"), [], 0
     # The columns at which the texts of the list items around begin.
     items = []

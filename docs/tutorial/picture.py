@@ -21,7 +21,9 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 FACTOR = 40  # of the displacement
 ELEVATION, AZIMUTH = 42, -80  # of the eye, in degrees
-EYE = [f(np.radians(AZIMUTH)) * np.cos(np.radians(ELEVATION)) for f in (np.cos, np.sin)] + [np.sin(np.radians(ELEVATION))]
+# Towards the eye.
+EYE = np.array([np.cos(np.radians(AZIMUTH)), np.sin(np.radians(AZIMUTH)), np.tan(np.radians(ELEVATION))])
+
 # Faces of a tetrahedron of second order as corners and mid-side nodes, and the four triangles that draw one.
 FACES = np.array([(0, 2, 1, 6, 5, 4), (0, 1, 3, 4, 8, 7), (1, 2, 3, 5, 9, 8), (0, 3, 2, 7, 9, 6)])
 QUARTERS = np.array([(0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)])
