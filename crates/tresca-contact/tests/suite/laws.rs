@@ -231,3 +231,32 @@ fn plane_contacts_have_two_rows_per_pair() {
     let area: f64 = data.pairs.iter().map(|pair| pair.area).sum();
     assert!(close(area, 3.0), "per thickness");
 }
+
+#[test]
+fn every_law_has_its_name_and_number() {
+    let bound = || ScalarField::Constant(1.0);
+    let laws = [
+        FrictionLaw::Frictionless,
+        FrictionLaw::tresca(1.0),
+        FrictionLaw::Orthotropic {
+            bounds: [bound(), bound()],
+            axis: [1.0, 0.0, 0.0],
+        },
+        FrictionLaw::coulomb(0.3),
+        FrictionLaw::Tied,
+        FrictionLaw::Bilateral { bound: None },
+    ];
+    let names = [
+        "frictionless",
+        "tresca",
+        "orthotropic",
+        "coulomb",
+        "tied",
+        "bilateral",
+    ];
+    assert_eq!(FrictionLaw::NAMES, names);
+    for (number, law) in laws.iter().enumerate() {
+        assert_eq!(usize::from(law.number()), number);
+        assert_eq!(law.name(), names[number]);
+    }
+}

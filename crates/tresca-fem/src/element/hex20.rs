@@ -1,6 +1,7 @@
 //! The quadratic serendipity hexahedron.
 
-use super::{Element, ReferenceFace, serendipity};
+use super::nodes::with_means;
+use super::{Element, ReferenceFace, hex8, serendipity};
 use crate::mesh::CellKind;
 use crate::quadrature::{Rule, gauss_cube};
 
@@ -9,27 +10,22 @@ use crate::quadrature::{Rule, gauss_cube};
 #[derive(Clone, Copy, Debug)]
 pub struct Hex20;
 
-const NODES: [[f64; 3]; 20] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-    [0.0, -1.0, -1.0],
-    [1.0, 0.0, -1.0],
-    [0.0, 1.0, -1.0],
-    [-1.0, 0.0, -1.0],
-    [0.0, -1.0, 1.0],
-    [1.0, 0.0, 1.0],
-    [0.0, 1.0, 1.0],
-    [-1.0, 0.0, 1.0],
-    [-1.0, -1.0, 0.0],
-    [1.0, -1.0, 0.0],
-    [1.0, 1.0, 0.0],
-    [-1.0, 1.0, 0.0],
+pub(super) const NODES: [[f64; 3]; 20] = with_means(&hex8::NODES, &EDGES);
+
+/// The edges by their corners.
+const EDGES: [&[usize]; 12] = [
+    &[0, 1],
+    &[1, 2],
+    &[2, 3],
+    &[3, 0],
+    &[4, 5],
+    &[5, 6],
+    &[6, 7],
+    &[7, 4],
+    &[0, 4],
+    &[1, 5],
+    &[2, 6],
+    &[3, 7],
 ];
 
 impl Element for Hex20 {

@@ -1,6 +1,7 @@
 //! The triquadratic hexahedron.
 
-use super::{Element, ReferenceFace, lagrange};
+use super::nodes::with_means;
+use super::{Element, ReferenceFace, hex20, lagrange};
 use crate::mesh::CellKind;
 use crate::quadrature::{Rule, gauss_cube};
 
@@ -9,35 +10,18 @@ use crate::quadrature::{Rule, gauss_cube};
 #[derive(Clone, Copy, Debug)]
 pub struct Hex27;
 
-const NODES: [[f64; 3]; 27] = [
-    [-1.0, -1.0, -1.0],
-    [1.0, -1.0, -1.0],
-    [1.0, 1.0, -1.0],
-    [-1.0, 1.0, -1.0],
-    [-1.0, -1.0, 1.0],
-    [1.0, -1.0, 1.0],
-    [1.0, 1.0, 1.0],
-    [-1.0, 1.0, 1.0],
-    [0.0, -1.0, -1.0],
-    [1.0, 0.0, -1.0],
-    [0.0, 1.0, -1.0],
-    [-1.0, 0.0, -1.0],
-    [0.0, -1.0, 1.0],
-    [1.0, 0.0, 1.0],
-    [0.0, 1.0, 1.0],
-    [-1.0, 0.0, 1.0],
-    [-1.0, -1.0, 0.0],
-    [1.0, -1.0, 0.0],
-    [1.0, 1.0, 0.0],
-    [-1.0, 1.0, 0.0],
-    [-1.0, 0.0, 0.0],
-    [1.0, 0.0, 0.0],
-    [0.0, -1.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [0.0, 0.0, -1.0],
-    [0.0, 0.0, 1.0],
-    [0.0, 0.0, 0.0],
-];
+const NODES: [[f64; 3]; 27] = with_means(
+    &hex20::NODES,
+    &[
+        &[0, 3, 4, 7],
+        &[1, 2, 5, 6],
+        &[0, 1, 4, 5],
+        &[2, 3, 6, 7],
+        &[0, 1, 2, 3],
+        &[4, 5, 6, 7],
+        &[0, 1, 2, 3, 4, 5, 6, 7],
+    ],
+);
 
 impl Element for Hex27 {
     fn dimension(&self) -> usize {

@@ -9,7 +9,7 @@ use crate::quadrature::{Rule, gauss_cube};
 #[derive(Clone, Copy, Debug)]
 pub struct Hex8;
 
-const NODES: [[f64; 3]; 8] = [
+pub(super) const NODES: [[f64; 3]; 8] = [
     [-1.0, -1.0, -1.0],
     [1.0, -1.0, -1.0],
     [1.0, 1.0, -1.0],

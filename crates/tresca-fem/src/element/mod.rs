@@ -14,6 +14,7 @@ mod lagrange;
 mod line2;
 mod line3;
 mod mapping;
+mod nodes;
 mod quad4;
 mod quad8;
 mod quad9;

@@ -8,7 +8,7 @@ use crate::quadrature::{Rule, gauss_square};
 #[derive(Clone, Copy, Debug)]
 pub struct Quad4;
 
-const NODES: [[f64; 3]; 4] = [
+pub(super) const NODES: [[f64; 3]; 4] = [
     [-1.0, -1.0, 0.0],
     [1.0, -1.0, 0.0],
     [1.0, 1.0, 0.0],

@@ -1,6 +1,7 @@
 //! The quadratic serendipity quadrilateral, also the face of [`super::Hex20`].
 
-use super::{Element, ReferenceFace, serendipity};
+use super::nodes::with_means;
+use super::{Element, ReferenceFace, quad4, serendipity};
 use crate::mesh::CellKind;
 use crate::quadrature::{Rule, gauss_square};
 
@@ -9,16 +10,8 @@ use crate::quadrature::{Rule, gauss_square};
 #[derive(Clone, Copy, Debug)]
 pub struct Quad8;
 
-const NODES: [[f64; 3]; 8] = [
-    [-1.0, -1.0, 0.0],
-    [1.0, -1.0, 0.0],
-    [1.0, 1.0, 0.0],
-    [-1.0, 1.0, 0.0],
-    [0.0, -1.0, 0.0],
-    [1.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [-1.0, 0.0, 0.0],
-];
+pub(super) const NODES: [[f64; 3]; 8] =
+    with_means(&quad4::NODES, &[&[0, 1], &[1, 2], &[2, 3], &[3, 0]]);
 
 /// The edges of quad8 and quad9.
 pub(super) const EDGES: [ReferenceFace; 4] = {

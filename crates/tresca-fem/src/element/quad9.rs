@@ -1,5 +1,6 @@
 //! The biquadratic quadrilateral, also the face of [`super::Hex27`].
 
+use super::nodes::with_means;
 use super::{Element, ReferenceFace, lagrange, quad8};
 use crate::quadrature::{Rule, gauss_square};
 
@@ -7,17 +8,7 @@ use crate::quadrature::{Rule, gauss_square};
 #[derive(Clone, Copy, Debug)]
 pub struct Quad9;
 
-const NODES: [[f64; 3]; 9] = [
-    [-1.0, -1.0, 0.0],
-    [1.0, -1.0, 0.0],
-    [1.0, 1.0, 0.0],
-    [-1.0, 1.0, 0.0],
-    [0.0, -1.0, 0.0],
-    [1.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [-1.0, 0.0, 0.0],
-    [0.0, 0.0, 0.0],
-];
+const NODES: [[f64; 3]; 9] = with_means(&quad8::NODES, &[&[0, 1, 2, 3]]);
 
 impl Element for Quad9 {
     fn dimension(&self) -> usize {

@@ -21,7 +21,7 @@ pub(super) fn barycentric_gradient<const V: usize>(i: usize) -> [f64; 3] {
 
 /// Corners first, then the edges' middles.
 pub(super) fn quadratic_shape<const V: usize>(
-    edges: &[[usize; 2]],
+    edges: &[&[usize]],
     xi: [f64; 3],
     values: &mut [f64],
 ) {
@@ -29,14 +29,15 @@ pub(super) fn quadratic_shape<const V: usize>(
     for i in 0..V {
         values[i] = l[i] * (2.0 * l[i] - 1.0);
     }
-    for (value, &[i, j]) in values[V..].iter_mut().zip(edges) {
+    for (value, edge) in values[V..].iter_mut().zip(edges) {
+        let (i, j) = (edge[0], edge[1]);
         *value = 4.0 * l[i] * l[j];
     }
 }
 
 /// Gradients of [`quadratic_shape`].
 pub(super) fn quadratic_gradients<const V: usize>(
-    edges: &[[usize; 2]],
+    edges: &[&[usize]],
     xi: [f64; 3],
     gradients: &mut [[f64; 3]],
 ) {
@@ -44,7 +45,8 @@ pub(super) fn quadratic_gradients<const V: usize>(
     for i in 0..V {
         gradients[i] = barycentric_gradient::<V>(i).map(|g| (4.0 * l[i] - 1.0) * g);
     }
-    for (gradient, &[i, j]) in gradients[V..].iter_mut().zip(edges) {
+    for (gradient, edge) in gradients[V..].iter_mut().zip(edges) {
+        let (i, j) = (edge[0], edge[1]);
         let (gi, gj) = (barycentric_gradient::<V>(i), barycentric_gradient::<V>(j));
         *gradient = std::array::from_fn(|k| 4.0 * (l[i] * gj[k] + l[j] * gi[k]));
     }

@@ -1,7 +1,8 @@
 //! The quadratic tetrahedron.
 
+use super::nodes::with_means;
 use super::simplex::{quadratic_gradients, quadratic_shape};
-use super::{Element, ReferenceFace};
+use super::{Element, ReferenceFace, tet4};
 use crate::mesh::CellKind;
 use crate::quadrature::{Rule, tetrahedron};
 
@@ -10,7 +11,9 @@ use crate::quadrature::{Rule, tetrahedron};
 #[derive(Clone, Copy, Debug)]
 pub struct Tet10;
 
-const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+const EDGES: [&[usize]; 6] = [&[0, 1], &[1, 2], &[2, 0], &[0, 3], &[1, 3], &[2, 3]];
+
+const NODES: [[f64; 3]; 10] = with_means(&tet4::NODES, &EDGES);
 
 impl Element for Tet10 {
     fn dimension(&self) -> usize {
@@ -18,18 +21,7 @@ impl Element for Tet10 {
     }
 
     fn nodes(&self) -> &'static [[f64; 3]] {
-        &[
-            [0.0, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 0.0, 1.0],
-            [0.5, 0.0, 0.0],
-            [0.5, 0.5, 0.0],
-            [0.0, 0.5, 0.0],
-            [0.0, 0.0, 0.5],
-            [0.5, 0.0, 0.5],
-            [0.0, 0.5, 0.5],
-        ]
+        &NODES
     }
 
     fn shape(&self, xi: [f64; 3], values: &mut [f64]) {

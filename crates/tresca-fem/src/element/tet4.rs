@@ -10,18 +10,20 @@ use crate::quadrature::{Rule, tetrahedron};
 #[derive(Clone, Copy, Debug)]
 pub struct Tet4;
 
+pub(super) const NODES: [[f64; 3]; 4] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+];
+
 impl Element for Tet4 {
     fn dimension(&self) -> usize {
         3
     }
 
     fn nodes(&self) -> &'static [[f64; 3]] {
-        &[
-            [0.0, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.0, 0.0, 1.0],
-        ]
+        &NODES
     }
 
     fn shape(&self, xi: [f64; 3], values: &mut [f64]) {

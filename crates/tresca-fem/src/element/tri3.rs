@@ -8,13 +8,15 @@ use crate::quadrature::{Rule, triangle};
 #[derive(Clone, Copy, Debug)]
 pub struct Tri3;
 
+pub(super) const NODES: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
 impl Element for Tri3 {
     fn dimension(&self) -> usize {
         2
     }
 
     fn nodes(&self) -> &'static [[f64; 3]] {
-        &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+        &NODES
     }
 
     fn shape(&self, [x, y, _]: [f64; 3], values: &mut [f64]) {

@@ -1,7 +1,8 @@
 //! The quadratic triangle, also the face of [`super::Tet10`].
 
+use super::nodes::with_means;
 use super::simplex::{quadratic_gradients, quadratic_shape};
-use super::{Element, ReferenceFace};
+use super::{Element, ReferenceFace, tri3};
 use crate::mesh::CellKind;
 use crate::quadrature::{Rule, triangle};
 
@@ -10,7 +11,9 @@ use crate::quadrature::{Rule, triangle};
 #[derive(Clone, Copy, Debug)]
 pub struct Tri6;
 
-const EDGES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
+const EDGES: [&[usize]; 3] = [&[0, 1], &[1, 2], &[2, 0]];
+
+const NODES: [[f64; 3]; 6] = with_means(&tri3::NODES, &EDGES);
 
 impl Element for Tri6 {
     fn dimension(&self) -> usize {
@@ -18,14 +21,7 @@ impl Element for Tri6 {
     }
 
     fn nodes(&self) -> &'static [[f64; 3]] {
-        &[
-            [0.0, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [0.0, 1.0, 0.0],
-            [0.5, 0.0, 0.0],
-            [0.5, 0.5, 0.0],
-            [0.0, 0.5, 0.0],
-        ]
+        &NODES
     }
 
     fn shape(&self, xi: [f64; 3], values: &mut [f64]) {

@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
-const ALLOWED: [(&str, &[&str]); 12] = [
+const ALLOWED: [(&str, &[&str]); 13] = [
+    ("tresca-testkit", &[]),
     ("tresca-la", &[]),
     ("tresca-fem", &["tresca-la"]),
     ("tresca-contact", &["tresca-fem", "tresca-la"]),
@@ -84,9 +85,9 @@ fn crates_import_only_what_the_architecture_allows() {
             let for_tests = dependency["kind"] == "dev";
             let dependency = dependency["name"].as_str().unwrap();
             let ours = dependency == "tresca" || dependency.starts_with("tresca-");
-            // Tests may use the models of the benchmarks.
-            let allowed =
-                permitted.contains(&dependency) || for_tests && dependency == "tresca-bench";
+            // Tests may use the models of the benchmarks, and what they share.
+            let of_tests = ["tresca-bench", "tresca-testkit"].contains(&dependency);
+            let allowed = permitted.contains(&dependency) || for_tests && of_tests;
             assert!(
                 !ours || allowed,
                 "{name} imports {dependency}; docs/architecture.md does not allow it"

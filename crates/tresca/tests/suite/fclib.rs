@@ -9,6 +9,7 @@ use tresca::fclib::{
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
 use tresca::{Body, Contact, FrictionLaw, Model, Settings, Silent, Support, Traction};
+use tresca_testkit::assert_near;
 
 const FILES: [&str; 6] = [
     "FC2D_SliderCrankLagrangian00000.dat",
@@ -38,13 +39,7 @@ fn solve(problem: &Problem, law: Law) -> Outcome {
 
 #[track_caller]
 fn near(found: &[f64], expected: &[f64], tolerance: f64) {
-    assert_eq!(found.len(), expected.len());
-    for (f, e) in found.iter().zip(expected) {
-        assert!(
-            (f - e).abs() <= tolerance,
-            "{found:?}, expected {expected:?}"
-        );
-    }
+    assert_near(found, expected, tolerance, "FCLIB");
 }
 
 fn diagonal(values: &[f64]) -> Matrix {

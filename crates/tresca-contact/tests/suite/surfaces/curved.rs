@@ -1,6 +1,7 @@
 //! Curved interfaces: what is not exact converges at its order.
 
 use std::f64::consts::PI;
+use tresca_testkit::largest;
 
 use tresca_contact::{ContactData, RigidShape, couple_obstacle};
 use tresca_fem::loads;
@@ -8,9 +9,7 @@ use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
 
 use super::flat::KINDS;
 use super::plane;
-use super::support::{
-    Body, INTERFACE, block, elevated, largest, mortar, relative, transposed_product,
-};
+use super::support::{Body, INTERFACE, block, elevated, mortar, relative, transposed_product};
 
 const INNER: f64 = 2.0;
 const OUTER: f64 = 2.001;

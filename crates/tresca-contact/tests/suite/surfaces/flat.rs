@@ -3,10 +3,12 @@
 use tresca_contact::{ContactError, CouplingMethod, Discretization, couple, couple_node_by_node};
 use tresca_fem::loads;
 use tresca_fem::mesh::CellKind;
+use tresca_fem::vector3::cross;
+use tresca_testkit::largest;
 
 use super::support::{
-    Body, INTERFACE, add_product, block, cross, elevated, largest, mortar, relative,
-    smallest_pivot, transposed_product, turn,
+    Body, INTERFACE, add_product, block, elevated, mortar, relative, smallest_pivot,
+    transposed_product, turn,
 };
 
 pub const KINDS: [CellKind; 6] = [

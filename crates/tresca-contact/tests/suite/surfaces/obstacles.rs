@@ -5,11 +5,12 @@ use tresca_contact::{
 };
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
+use tresca_testkit::is_near;
+use tresca_testkit::largest;
 
 use super::flat::KINDS;
 use super::support::{
-    Body, INTERFACE, add_product, block, elevated, field, largest, smallest_pivot,
-    transposed_product, turn,
+    Body, INTERFACE, add_product, block, elevated, field, smallest_pivot, transposed_product, turn,
 };
 
 fn coupled(slave: &Body, obstacle: &RigidShape) -> Result<ContactData, ContactError> {
@@ -22,7 +23,7 @@ fn unit_block(kind: CellKind) -> Body {
 }
 
 fn close(a: [f64; 3], b: [f64; 3]) -> bool {
-    (0..3).all(|k| (a[k] - b[k]).abs() < 1e-13)
+    is_near(&a, &b, 1e-13)
 }
 
 /// An inclined plane below a block: distances, normals, areas, and consistent forces.

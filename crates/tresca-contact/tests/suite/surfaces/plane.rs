@@ -1,13 +1,12 @@
 //! Lines in the plane and in the meridian section of a body of revolution.
 
 use std::f64::consts::PI;
+use tresca_testkit::largest;
 
 use tresca_fem::loads;
 use tresca_fem::mesh::{CellKind, RectangleSpec, Space, rectangle};
 
-use super::support::{
-    Body, elevated, largest, mortar, relative, smallest_pivot, transposed_product,
-};
+use super::support::{Body, elevated, mortar, relative, smallest_pivot, transposed_product};
 
 pub const KINDS: [CellKind; 5] = [
     CellKind::Quad4,

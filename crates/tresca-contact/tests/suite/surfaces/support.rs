@@ -193,18 +193,6 @@ pub fn relative(
     y
 }
 
-pub fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |l, x| f64::max(l, x.abs()))
-}
-
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
 /// The smallest pivot of the scaled B Bᵀ over the free dofs: positive where rows are independent.
 /// Rows in which the supports let nothing move are left out.
 pub fn smallest_pivot(data: &ContactData, slave: &Body, master: Option<&Body>) -> f64 {

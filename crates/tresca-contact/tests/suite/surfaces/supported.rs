@@ -3,10 +3,11 @@
 use tresca_contact::{ContactData, RigidShape, couple_obstacle};
 use tresca_fem::loads;
 use tresca_fem::mesh::CellKind;
+use tresca_testkit::largest;
 
 use super::flat::KINDS;
 use super::support::{
-    Body, INTERFACE, block, boundary_where, largest, mortar, smallest_pivot, transposed_product,
+    Body, INTERFACE, block, boundary_where, mortar, smallest_pivot, transposed_product,
 };
 
 fn boxes(kind: CellKind) -> [Body; 2] {

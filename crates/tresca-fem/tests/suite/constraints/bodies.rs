@@ -12,6 +12,7 @@ use tresca_fem::mesh::{BrickSpec, CellKind, Mesh, RectangleSpec, Space, brick, r
 use tresca_fem::stress;
 use tresca_fem::supports::Supports;
 use tresca_la::vector::dot;
+use tresca_testkit::largest;
 
 /// u, and K u − f over the full dofs.
 pub fn solve(
@@ -28,10 +29,6 @@ pub fn solve(
     forces.resize(dofs.full_len(), 0.0);
     forces.iter_mut().zip(load).for_each(|(k, f)| *k -= f);
     (dofs, u, forces)
-}
-
-fn largest(u: &[f64]) -> f64 {
-    u.iter().fold(0.0, |a, b| a.max(b.abs()))
 }
 
 /// Equations that give `node` the mean of others, all components.

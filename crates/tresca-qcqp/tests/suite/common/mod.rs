@@ -4,6 +4,7 @@ pub mod half_space;
 pub mod oracle;
 pub mod problems;
 
+pub use tresca_la::vector::{dot, norm};
 use tresca_qcqp::operator::Dense;
 use tresca_qcqp::{DualProblem, DualSolution, Method, ProductSet, Settings, Silent, solve};
 
@@ -78,14 +79,6 @@ pub fn settings(method: Method, tolerance: f64) -> Settings {
         max_iterations: 20_000,
         ..Settings::default()
     }
-}
-
-pub fn dot(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| x * y).sum()
-}
-
-pub fn norm(x: &[f64]) -> f64 {
-    dot(x, x).sqrt()
 }
 
 pub fn distance(x: &[f64], y: &[f64]) -> f64 {

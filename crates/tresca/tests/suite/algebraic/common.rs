@@ -5,6 +5,8 @@ use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use tresca::algebraic::{Friction, Law, Matrix, Problem, Solution, solve};
 use tresca::{Settings, Silent};
+use tresca_testkit::assert_near;
+pub use tresca_testkit::largest;
 
 pub fn rng(seed: u64) -> StdRng {
     StdRng::seed_from_u64(seed)
@@ -19,24 +21,14 @@ pub fn uniforms(rng: &mut StdRng, count: usize) -> Vec<f64> {
     (0..count).map(|_| uniform(rng)).collect()
 }
 
-pub fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |a: f64, x| a.max(x.abs()))
-}
-
 /// Below this a vector of a random problem, in which everything is about 1, is rounding.
 const NOTHING: f64 = 1e-3;
 
 /// Every entry, relative to the largest.
 #[track_caller]
 pub fn assert_close(found: &[f64], expected: &[f64], relative: f64, what: &str) {
-    assert_eq!(found.len(), expected.len(), "{what}");
-    let difference: Vec<f64> = found.iter().zip(expected).map(|(a, b)| a - b).collect();
     let scale = largest(expected).max(NOTHING);
-    let error = largest(&difference) / scale;
-    assert!(
-        error <= relative,
-        "{what}: off by {error:.1e} of the largest, {scale:.3e}"
-    );
+    assert_near(found, expected, relative * scale, what);
 }
 
 pub fn dense(rows: &[Vec<f64>]) -> Matrix {
