@@ -1,0 +1,50 @@
+//! Loads. A new kind is a file beside this one, whose keys implement [`LoadTable`], and a line in the list of
+//! [`crate::file`].
+
+mod body_force;
+mod gravity;
+mod pressure;
+mod traction;
+
+use tresca_model::{Load, PlaceNames};
+
+pub(crate) use body_force::BodyForceKeys;
+pub(crate) use gravity::GravityKeys;
+pub(crate) use pressure::PressureKeys;
+pub(crate) use traction::TractionKeys;
+
+use crate::error::CaseError;
+use crate::place::{SurfaceList, Wanted};
+use crate::reader::Reader;
+use crate::source::Span;
+use crate::text::At;
+
+/// The keys of a kind of load.
+pub(crate) trait LoadTable {
+    /// The load; `span` is the place of the table.
+    fn load(&self, span: &Span, reader: &Reader<'_>) -> Result<Load<PlaceNames>, CaseError>;
+
+    /// How load steps call it.
+    fn name(&self) -> Option<At<String>>;
+}
+
+impl Reader<'_> {
+    pub(crate) fn loads<K: LoadTable>(&mut self, list: &[At<K>]) -> Result<(), CaseError> {
+        for keys in list {
+            let span = keys.span();
+            let mut load = keys.load(&span, self)?;
+            let name = self.checked_name(keys.name())?;
+            load.name = name.as_ref().map(|name| name.value.clone());
+            let added = self.model.add_load(load);
+            let id = added.map_err(|error| self.refused(&span, error))?;
+            self.origins.note(&span, name, vec![id.into()]);
+        }
+        Ok(())
+    }
+
+    /// The surfaces that a load acts on.
+    fn loaded(&self, on: &SurfaceList) -> Result<PlaceNames, CaseError> {
+        let surfaces = self.surfaces(on, Wanted::Faces)?;
+        Ok(surfaces.into_iter().map(|surface| surface.value).collect())
+    }
+}
