@@ -1,5 +1,4 @@
-//! The whole file: its tables, in the order of the documentation, and the order in which they are read. A new kind of
-//! load is a line in the list at the end.
+//! The whole file: its tables, in the order of the documentation, and the order in which they are read.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -13,7 +12,7 @@ use crate::body::BodyKeys;
 use crate::contact::ContactKeys;
 use crate::error::CaseError;
 use crate::friction::known_laws;
-use crate::load::{BodyForceKeys, GravityKeys, PressureKeys, TractionKeys};
+use crate::load;
 use crate::obstacle::ObstacleKeys;
 use crate::origins::Origins;
 use crate::reader::Reader;
@@ -23,7 +22,7 @@ use crate::support::{ClampKeys, SupportKeys};
 use crate::text::{self, At};
 
 macro_rules! file_keys {
-    (loads: $($(#[$doc:meta])* $load:ident: $keys:ty,)*) => {
+    ($($(#[$doc:meta])* $load:ident::$keys:ident,)*) => {
         /// The whole file.
         #[derive(Debug, Deserialize)]
         #[serde(
@@ -44,7 +43,7 @@ macro_rules! file_keys {
             /// Surfaces of which some displacement components are prescribed.
             #[serde(default)]
             support: Vec<At<SupportKeys>>,
-            $($(#[$doc])* #[serde(default)] $load: Vec<At<$keys>>,)*
+            $($(#[$doc])* #[serde(default)] $load: Vec<At<load::$keys>>,)*
             /// Rigid bodies that the others may touch.
             #[serde(default)]
             obstacle: Vec<At<ObstacleKeys>>,
@@ -71,17 +70,7 @@ macro_rules! file_keys {
     };
 }
 
-file_keys! {
-    loads:
-    /// Surfaces that are loaded by a vector.
-    traction: TractionKeys,
-    /// Surfaces that are pressed.
-    pressure: PressureKeys,
-    /// Forces per volume.
-    body_force: BodyForceKeys,
-    /// Accelerations of the field of gravity.
-    gravity: GravityKeys,
-}
+load::kinds_of_loads!(file_keys);
 
 /// The model of a text with the places of its parts, and the solver's settings.
 pub(crate) fn read<S: DeserializeOwned + Default>(

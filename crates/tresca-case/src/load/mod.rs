@@ -1,17 +1,35 @@
-//! Loads. A new kind is a file beside this one, whose keys implement [`LoadTable`], and a line in the list of
-//! [`crate::file`].
+//! Loads. A new kind is a file beside this one, whose keys implement [`LoadTable`], and a line in the list below.
 
-mod body_force;
-mod gravity;
-mod pressure;
-mod traction;
+/// Hands the list of all kinds to a macro: the name of the table, which is that of the file, and its keys.
+macro_rules! kinds_of_loads {
+    ($to:ident) => {
+        $to! {
+            /// Surfaces that are loaded by a vector.
+            traction::TractionKeys,
+            /// Surfaces that are pressed.
+            pressure::PressureKeys,
+            /// Forces per volume.
+            body_force::BodyForceKeys,
+            /// Accelerations of the field of gravity.
+            gravity::GravityKeys,
+            /// Total forces.
+            force::ForceKeys,
+        }
+    };
+}
+pub(crate) use kinds_of_loads;
+
+macro_rules! modules {
+    ($($(#[$doc:meta])* $module:ident::$keys:ident,)*) => {
+        $(
+            mod $module;
+            pub(crate) use $module::$keys;
+        )*
+    };
+}
+kinds_of_loads!(modules);
 
 use tresca_model::{Load, PlaceNames};
-
-pub(crate) use body_force::BodyForceKeys;
-pub(crate) use gravity::GravityKeys;
-pub(crate) use pressure::PressureKeys;
-pub(crate) use traction::TractionKeys;
 
 use crate::error::CaseError;
 use crate::place::{SurfaceList, Wanted};

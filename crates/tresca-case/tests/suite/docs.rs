@@ -58,6 +58,7 @@ fn every_key_is_documented_and_every_documented_key_exists() {
             rich("[[body_force]]", "[[body_force]]\nzzz = 1"),
         ),
         ("`[[gravity]]`", rich("[[gravity]]", "[[gravity]]\nzzz = 1")),
+        ("`[[force]]`", rich("[[gravity]]", "[[force]]\nzzz = 1")),
         (
             "`[[obstacle]]`",
             touching("[[obstacle]]", "[[obstacle]]\nzzz = 1"),
@@ -140,7 +141,7 @@ fn every_other_example_is_read() {
         .skip(2)
         .map(|rest| rest.split("```").next().unwrap())
         .collect();
-    assert_eq!(examples.len(), 14);
+    assert_eq!(examples.len(), 15);
     for example in examples {
         let text = match example.contains("[[body]]") {
             true => example.to_owned(),

@@ -2,7 +2,7 @@
 
 use insta::assert_snapshot;
 
-use tresca_model::LoadKind;
+use tresca_model::{Amount, LoadId, LoadKind};
 
 use crate::support::{RICH, at, changed, constant, parse, place, report};
 
@@ -52,6 +52,36 @@ fn loads_are_read_as_they_stand() {
     assert_eq!(loaded(0), ["upper.z+"]);
     assert_eq!(loaded(4), ["upper", "lower"]);
     assert_eq!(loaded(5), ["upper"]);
+}
+
+#[test]
+fn a_total_force_varies_as_all_loads_do() {
+    let force =
+        "[[force]]\nname = \"jack\"\non = [\"upper.z+\", \"upper.y+\"]\nvalue = [1, 2, 3]\n";
+    let steps = "[[step]]\nfactors = { jack = 0.5 }\n[[step]]\nvalues = { jack = [0, 0, 4] }\n";
+    let (rest, _) = RICH.split_once("[[step]]").unwrap();
+    let case = parse(&format!("{rest}{force}{steps}")).unwrap();
+    let model = &case.model;
+    let LoadKind::Force(jack) = &model.loads()[6].kind else {
+        panic!("another load");
+    };
+    assert_eq!(jack.value, [1.0, 2.0, 3.0]);
+    assert_eq!(
+        model.loads()[6].on.names(model.bodies()),
+        ["upper.z+", "upper.y+"]
+    );
+    let amounts = model.steps().iter().map(|step| step.amount(LoadId(6)));
+    let amounts: Vec<Amount> = amounts.collect();
+    assert_eq!(
+        amounts,
+        [Amount::Factor(0.5), Amount::Vector([0.0, 0.0, 4.0])]
+    );
+    let wrong = steps.replace("[0, 0, 4]", "4");
+    let report = report(&format!("{rest}{force}{wrong}"));
+    assert!(
+        report.contains("expected a list of numbers for `jack`"),
+        "{report}"
+    );
 }
 
 #[test]
