@@ -1,43 +1,80 @@
 //! Bodies: their names, meshes and materials.
 
-use toml::Spanned;
+use serde::Deserialize;
+use tresca_fem::FemError;
 use tresca_fem::assembly::Formulation;
+use tresca_fem::material::Isotropic;
+use tresca_fem::mesh::Mesh;
+use tresca_model::{Body, Subject};
 
-use super::check::{Check, fault_of_name};
-use super::error::{CaseError, FaultKind};
-use super::fields::VectorField;
-use super::keys::{BodyKeys, Material};
-use super::mesh::Mesh;
-use tresca_io::mesh::Placement;
+use crate::analysis::Analysis;
+use crate::error::{CaseError, FaultKind};
+use crate::field::FieldKeys;
+use crate::mesh::MeshKeys;
+use crate::origins::BodyOrigin;
+use crate::reader::{Reader, fault_of_name};
+use crate::text::At;
 
-/// An elastic body.
-#[derive(Clone, Debug)]
-pub struct Body {
-    /// How other keys and the written files call the body.
-    pub name: Spanned<String>,
-    /// Where the mesh comes from; it has as many dimensions as the analysis.
-    pub mesh: Spanned<Mesh>,
-    /// Where the points of a brick or rectangle go. The mesh of a file is already there.
-    pub placement: Placement,
-    /// Where the points of the placed mesh go: new coordinates by old ones. Without a map they stay.
-    pub map: Option<VectorField>,
+/// `[[body]]`: an elastic body.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of keys under [[body]]")]
+pub(crate) struct BodyKeys {
+    /// How other keys and the written files call the body: letters, digits, `_` and `-`.
+    pub name: At<String>,
+    /// Where the mesh comes from.
+    pub mesh: At<MeshKeys>,
+    /// Where the points of that mesh go.
+    pub map: Option<At<Vec<At<FieldKeys>>>>,
     /// What the body is made of.
-    pub material: Spanned<Material>,
-    /// How strains are made of displacements. Whether it suits the cells and the material is for the
-    /// caller to check; the place is that of the material where the key is not given.
-    pub formulation: Spanned<Formulation>,
+    pub material: At<MaterialKeys>,
+    /// How its stiffness is integrated. Default: `full`.
+    pub formulation: Option<At<FormulationWord>>,
+}
+
+/// `formulation`: how strains are made of displacements.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case", expecting = "the name of a formulation")]
+pub(crate) enum FormulationWord {
+    /// The strain as it is.
+    Full,
+    /// The volumetric strain as its mean over the cell.
+    BBar,
+}
+
+impl From<FormulationWord> for Formulation {
+    fn from(word: FormulationWord) -> Self {
+        match word {
+            FormulationWord::Full => Formulation::Full,
+            FormulationWord::BBar => Formulation::BBar,
+        }
+    }
+}
+
+/// `material`: isotropic linear elasticity.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table `{ young = …, poisson = … }`"
+)]
+pub(crate) struct MaterialKeys {
+    /// Young's modulus (force per area), positive.
+    pub young: At<f64>,
+    /// Poisson's ratio, above -1 and below 0.5.
+    pub poisson: At<f64>,
+    /// Mass per volume, 0 or more; needed where gravity acts.
+    pub density: Option<At<f64>>,
 }
 
 /// Names that the files of every run have, beside those of the bodies.
 const RESERVED_NAMES: [&str; 3] = ["contact", "history", "summary"];
 
-impl Check<'_> {
-    pub(super) fn bodies(
-        &self,
-        list: Option<Spanned<Vec<BodyKeys>>>,
-    ) -> Result<Vec<Body>, CaseError> {
+/// Names of the faces of a brick as documentation lists them; the first four are those of a rectangle.
+const BLOCK_FACES: [&str; 6] = ["x-", "x+", "y-", "y+", "z-", "z+"];
+
+impl Reader<'_> {
+    pub(crate) fn bodies(&mut self, list: Option<At<Vec<BodyKeys>>>) -> Result<(), CaseError> {
         let (span, bodies) = match list {
-            Some(list) => (list.span(), list.into_inner()),
+            Some(list) => (list.span(), list.value),
             None => (0..0, Vec::new()),
         };
         if bodies.is_empty() {
@@ -51,45 +88,82 @@ impl Check<'_> {
                 .with_help("a body is a table [[body]] with the keys `name`, `mesh` and `material`")
                 .into());
         }
-        let mut resolved: Vec<Body> = Vec::with_capacity(bodies.len());
-        for keys in bodies {
-            self.body_name(&keys.name)?;
-            if let Some(other) = resolved.iter().find(|other| same_file_name(other, &keys)) {
-                return Err(self
-                    .fault(
-                        FaultKind::Duplicate,
-                        keys.name.span(),
-                        format!("two bodies are called `{}`", keys.name.get_ref()),
-                        "the second one",
-                    )
-                    .and_at(other.name.span(), "the first one")
-                    .with_help("give each body its own name; upper and lower case count as equal, for the names become names of files")
-                    .into());
-            }
-            let (mesh, placement) = self.mesh(keys.mesh, keys.map.is_some())?;
-            self.material(keys.material.get_ref())?;
-            let map = keys
-                .map
-                .map(|map| self.vector_field("the map", &map))
-                .transpose()?;
-            resolved.push(Body {
-                name: keys.name,
-                mesh,
-                placement,
-                map,
-                formulation: match keys.formulation {
-                    Some(word) => Spanned::new(word.span(), word.into_inner().into()),
-                    None => Spanned::new(keys.material.span(), Formulation::default()),
-                },
-                material: keys.material,
-            });
-        }
-        Ok(resolved)
+        bodies.into_iter().try_for_each(|keys| self.body(keys))
     }
 
-    fn body_name(&self, name: &Spanned<String>) -> Result<(), CaseError> {
-        let reserved = RESERVED_NAMES.contains(&name.get_ref().to_lowercase().as_str());
-        let label = match fault_of_name(name.get_ref()) {
+    fn body(&mut self, keys: BodyKeys) -> Result<(), CaseError> {
+        self.body_name(&keys.name)?;
+        // The names become names of files, on some systems regardless of case.
+        let name = keys.name.to_lowercase();
+        let mut others = self.origins.bodies.iter().map(|other| &other.name);
+        if let Some(other) = others.find(|other| other.to_lowercase() == name) {
+            return Err(self
+                .fault(
+                    FaultKind::Duplicate,
+                    keys.name.span(),
+                    format!("two bodies are called `{}`", keys.name.value),
+                    "the second one",
+                )
+                .and_at(other.span(), "the first one")
+                .with_help("give each body its own name; upper and lower case count as equal, for the names become names of files")
+                .into());
+        }
+        let made = self.mesh(keys.mesh, keys.map.is_some())?;
+        let material = self.material(&keys.material)?;
+        let (faces, node_sets) = set_names(&made.mesh);
+        let mesh = match keys.map {
+            Some(map) => self.mapped(made.mesh, &map)?,
+            None => made.mesh,
+        };
+        let mut body = Body::new(keys.name.as_str(), mesh, material);
+        if let Some(density) = &keys.material.density {
+            body = body.density(density.value);
+        }
+        if let Some(word) = keys.formulation {
+            body = body.formulation(word.value.into());
+        }
+        let added = self.model.add_body(body);
+        let index = added.map_err(|error| {
+            let (span, fact) = (keys.name.span(), error.to_string());
+            CaseError::semantic(self.source, span, fact, "this body", "")
+        })?;
+        self.origins
+            .places
+            .insert(Subject::Body(index), keys.name.span());
+        let notes = made.notes.iter();
+        self.origins.bodies.push(BodyOrigin {
+            notes: notes
+                .map(|note| format!("body `{}`: {note}", keys.name.value))
+                .collect(),
+            name: keys.name,
+            material: keys.material.span(),
+            mesh: made.word,
+            faces,
+            node_sets,
+            unusable: made.unusable,
+        });
+        Ok(())
+    }
+
+    /// The mesh with its nodes where a map takes them.
+    fn mapped(&self, mesh: Mesh, map: &At<Vec<At<FieldKeys>>>) -> Result<Mesh, CaseError> {
+        let field = self.vector_field("the map", map)?;
+        let refuse = |error: FemError| {
+            let help = "the map must give finite coordinates, keep a radius at 0 or more, and turn no \
+                        cell inside out";
+            let fact = error.to_string();
+            CaseError::semantic(self.source, map.span(), fact, "this map", help)
+        };
+        let mesh = mesh.mapped(|point| field.at(point));
+        let mesh = mesh.and_then(|mesh| self.in_its_space(mesh));
+        let mesh = mesh.map_err(refuse)?;
+        mesh.check_cells().map_err(refuse)?;
+        Ok(mesh)
+    }
+
+    fn body_name(&self, name: &At<String>) -> Result<(), CaseError> {
+        let reserved = RESERVED_NAMES.contains(&name.value.to_lowercase().as_str());
+        let label = match fault_of_name(name) {
             Some(label) => label,
             None if reserved => "this name is taken by another file of the results".to_owned(),
             None => return Ok(()),
@@ -107,9 +181,64 @@ impl Check<'_> {
             )
             .into())
     }
+
+    fn material(&self, keys: &At<MaterialKeys>) -> Result<Isotropic, CaseError> {
+        let young = self.finite("Young's modulus", &keys.young)?;
+        if young <= 0.0 {
+            return Err(self
+                .fault(
+                    FaultKind::BadValue,
+                    keys.young.span(),
+                    "Young's modulus must be positive",
+                    format!("expected more than 0, found {young:?}"),
+                )
+                .with_help("it is the stiffness of the material, a force per area")
+                .into());
+        }
+        if let Some(density) = &keys.density {
+            self.not_negative("the density", density, "it is the mass per volume")?;
+        }
+        let poisson = self.finite("Poisson's ratio", &keys.poisson)?;
+        if poisson > -1.0 && poisson < 0.5 {
+            let material = Isotropic::new(young, poisson).map_err(|error| {
+                let help = "a material needs `young` > 0 and −1 < `poisson` < 0.5";
+                let fact = error.to_string();
+                CaseError::semantic(self.source, keys.span(), fact, "this material", help)
+            })?;
+            return Ok(match self.analysis {
+                Analysis::PlaneStress => material.plane_stress(),
+                Analysis::Solid | Analysis::PlaneStrain | Analysis::Axisymmetric => material,
+            });
+        }
+        let help = if poisson == 0.5 {
+            "0.5 is an incompressible material, which needs another formulation; rubber is often \
+             taken as 0.49"
+        } else if poisson > 1.0 {
+            "is this Young's modulus? most metals have 0.25 to 0.35"
+        } else {
+            "no stable isotropic material has it; most metals have 0.25 to 0.35"
+        };
+        Err(self
+            .fault(
+                FaultKind::BadValue,
+                keys.poisson.span(),
+                "Poisson's ratio must lie between -1 and 0.5",
+                format!("expected -1 < poisson < 0.5, found {poisson:?}"),
+            )
+            .with_help(help)
+            .into())
+    }
 }
 
-/// Whether two bodies would share the file of their results, on some file system.
-fn same_file_name(a: &Body, b: &BodyKeys) -> bool {
-    a.name.get_ref().to_lowercase() == b.name.get_ref().to_lowercase()
+/// Names of the faces of a mesh, and of its sets of nodes, those of the faces among them.
+fn set_names(mesh: &Mesh) -> (Vec<String>, Vec<String>) {
+    let rank = |name: &str| BLOCK_FACES.iter().position(|face| *face == name);
+    let mut faces: Vec<String> = mesh.face_sets.keys().cloned().collect();
+    faces.sort_by_key(|name| rank(name));
+    // Of a block, whose faces have no node sets beside them.
+    let node_sets = match mesh.node_sets.is_empty() {
+        true => faces.clone(),
+        false => mesh.node_sets.keys().cloned().collect(),
+    };
+    (faces, node_sets)
 }

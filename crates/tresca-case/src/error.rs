@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use miette::{Diagnostic, LabeledSpan, SourceCode};
 
-use super::source::{CaseSource, Span};
+use crate::source::{CaseSource, Span};
 
 /// Why a case file was refused. Renders as a [`miette`] report.
 #[derive(Debug, thiserror::Error, Diagnostic)]
@@ -145,7 +145,7 @@ pub struct Fault {
 }
 
 impl Fault {
-    pub(super) fn new(
+    pub(crate) fn new(
         kind: FaultKind,
         source: &CaseSource,
         span: Span,
@@ -163,12 +163,12 @@ impl Fault {
         fault
     }
 
-    pub(super) fn with_help(mut self, help: impl Into<String>) -> Self {
+    pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    pub(super) fn and_at(mut self, span: Span, label: impl Into<String>) -> Self {
+    pub(crate) fn and_at(mut self, span: Span, label: impl Into<String>) -> Self {
         self.mark(span, label);
         self
     }

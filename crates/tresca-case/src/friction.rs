@@ -1,62 +1,39 @@
 //! Friction laws and their figures.
 
-use toml::Spanned;
-
-use super::check::Check;
-use super::entries::FieldKeys;
-use super::error::{CaseError, FaultKind};
-use super::fields::{Field, Kind};
-use super::keys::FrictionKeys;
-use super::source::Span;
+use serde::Deserialize;
+use toml::de::{DeTable, DeValue};
+use tresca_contact::{FrictionLaw, ScalarField};
 use tresca_io::names::listed;
 
-/// What a contact pair does along its normal and in its tangential plane.
-///
-/// Slip bounds are forces per undeformed area, 0 or more where they are constant or from a file;
-/// formulas are for the caller to check. λν is the normal traction, λτ the tangential one.
-#[derive(Clone, Debug)]
-pub enum Friction {
-    /// No tangential traction.
-    Frictionless,
-    /// Tresca's law: the pair slides when its tangential traction reaches the bound, whatever the
-    /// normal force.
-    Tresca {
-        /// The slip bound.
-        bound: Spanned<Field>,
-    },
-    /// Tresca's law with a slip bound that depends on the direction:
-    /// (λ₁/g₁)² + (λ₂/g₂)² ≤ 1. In space only.
-    Orthotropic {
-        /// The bounds g₁ and g₂ along the two axes.
-        bounds: [Spanned<Field>; 2],
-        /// Direction of the first axis in space, not zero; its part in the tangential plane counts,
-        /// and the second axis is perpendicular to it.
-        axis: Spanned<[f64; 3]>,
-    },
-    /// Coulomb's law: the slip bound is min(F λν, limit).
-    Coulomb {
-        /// The coefficient F, finite, 0 or more.
-        coefficient: Spanned<f64>,
-        /// Largest slip bound; none when absent.
-        limit: Option<Spanned<Field>>,
-    },
-    /// Coulomb's law with coefficients that depend on the direction: the slip bounds along the two axes
-    /// are F₁ and F₂ times min(λν, limit/max(F₁, F₂)): the limit is that of the larger bound. In space only.
-    OrthotropicCoulomb {
-        /// The coefficients F₁ and F₂, finite, 0 or more.
-        coefficients: [Spanned<f64>; 2],
-        /// As in [`Friction::Orthotropic`].
-        axis: Spanned<[f64; 3]>,
-        /// Largest slip bound; none when absent.
-        limit: Option<Spanned<Field>>,
-    },
-    /// The two surfaces are glued: they neither open nor slide.
-    Tied,
-    /// The two surfaces do not open; they slide freely, or as with Tresca's law.
-    Bilateral {
-        /// The slip bound; free sliding when absent.
-        bound: Option<Spanned<Field>>,
-    },
+use crate::error::{CaseError, FaultKind};
+use crate::field::{FieldKeys, Kind};
+use crate::numbers::Triple;
+use crate::reader::Reader;
+use crate::source::{CaseSource, Span};
+use crate::text::{At, unsupported};
+
+/// `friction`: the law and its figures. All figures of all laws stand here; which of them a law
+/// takes is checked afterwards, so that the report can name the law.
+#[derive(Debug, Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a table `{ law = \"tresca\", bound = … }`"
+)]
+pub(crate) struct FrictionKeys {
+    /// The law, one of [`LAWS`].
+    pub law: At<String>,
+    /// Slip bound (force per area), 0 or more: the tangential traction at which the pair slides.
+    pub bound: Option<At<FieldKeys>>,
+    /// Slip bounds along the two axes (force per area).
+    pub bounds: Option<At<Vec<At<FieldKeys>>>>,
+    /// Coefficient of friction, 0 or more.
+    pub coefficient: Option<At<f64>>,
+    /// Coefficients of friction along the two axes.
+    pub coefficients: Option<At<Vec<At<f64>>>>,
+    /// The first axis of friction, in the directions of the axes of space.
+    pub axis: Option<At<Triple<f64>>>,
+    /// Largest slip bound (force per area), whatever the normal force.
+    pub limit: Option<At<FieldKeys>>,
 }
 
 /// The laws as case files call them. The position of a law is its number in result files.
@@ -79,42 +56,22 @@ const KEYS: [&[&str]; LAWS.len()] = [
     &["bound"],
 ];
 
-impl Friction {
-    /// The law as case files call it.
-    pub fn law(&self) -> &'static str {
-        LAWS[usize::from(self.number())]
-    }
-
-    /// The number of the law in result files: its position in [`LAWS`].
-    pub fn number(&self) -> u8 {
-        match self {
-            Friction::Frictionless => 0,
-            Friction::Tresca { .. } => 1,
-            Friction::Orthotropic { .. } => 2,
-            Friction::Coulomb { .. } | Friction::OrthotropicCoulomb { .. } => 3,
-            Friction::Tied => 4,
-            Friction::Bilateral { .. } => 5,
-        }
-    }
-}
-
 const BOUND_HELP: &str = "it is the tangential traction (force per area) at which the pair slides; \
                           0.0 is no friction";
 
-impl Check<'_> {
-    pub(super) fn friction(&self, keys: &Spanned<FrictionKeys>) -> Result<Friction, CaseError> {
+impl Reader<'_> {
+    pub(crate) fn friction(&self, keys: &At<FrictionKeys>) -> Result<FrictionLaw, CaseError> {
         let span = keys.span();
-        let keys = keys.get_ref();
         self.keys_of_law(keys)?;
-        match keys.law.get_ref().as_str() {
-            "frictionless" => Ok(Friction::Frictionless),
+        match keys.law.as_str() {
+            "frictionless" => Ok(FrictionLaw::Frictionless),
             "orthotropic" => self.orthotropic(keys, span),
             "coulomb" => self.coulomb(keys, span),
-            "tied" => Ok(Friction::Tied),
-            "bilateral" => Ok(Friction::Bilateral {
+            "tied" => Ok(FrictionLaw::Tied),
+            "bilateral" => Ok(FrictionLaw::Bilateral {
                 bound: self.bound(keys.bound.as_ref())?,
             }),
-            // Laws beside those of the list were refused by `precheck::friction_laws`.
+            // Laws beside those of the list were refused by `known_laws`.
             _ => {
                 let Some(bound) = self.bound(keys.bound.as_ref())? else {
                     return Err(self.missing_figure(
@@ -125,12 +82,12 @@ impl Check<'_> {
                          slides; 0.0 is no friction",
                     ));
                 };
-                Ok(Friction::Tresca { bound })
+                Ok(FrictionLaw::Tresca { bound })
             }
         }
     }
 
-    fn orthotropic(&self, keys: &FrictionKeys, span: Span) -> Result<Friction, CaseError> {
+    fn orthotropic(&self, keys: &FrictionKeys, span: Span) -> Result<FrictionLaw, CaseError> {
         self.only_in_space(keys, "orthotropic friction")?;
         let Some(bounds) = &keys.bounds else {
             return Err(self.missing_figure(
@@ -141,13 +98,13 @@ impl Check<'_> {
             ));
         };
         let [first, second] = self.two("bounds", bounds)?;
-        Ok(Friction::Orthotropic {
+        Ok(FrictionLaw::Orthotropic {
             bounds: [self.slip_bound(first)?, self.slip_bound(second)?],
             axis: self.axis(keys, span)?,
         })
     }
 
-    fn coulomb(&self, keys: &FrictionKeys, span: Span) -> Result<Friction, CaseError> {
+    fn coulomb(&self, keys: &FrictionKeys, span: Span) -> Result<FrictionLaw, CaseError> {
         let limit = keys
             .limit
             .as_ref()
@@ -186,48 +143,45 @@ impl Check<'_> {
                         .with_help("write `coefficients = [F1, F2]`, or remove `axis`")
                         .into());
                 }
-                Ok(Friction::Coulomb {
-                    coefficient: self.coefficient(coefficient)?,
+                Ok(FrictionLaw::Coulomb {
+                    coefficients: [self.coefficient(coefficient)?; 2],
+                    axis: None,
                     limit,
                 })
             }
             (None, Some(coefficients)) => {
                 self.only_in_space(keys, "friction with two `coefficients`")?;
                 let [first, second] = self.two("coefficients", coefficients)?;
-                Ok(Friction::OrthotropicCoulomb {
+                Ok(FrictionLaw::Coulomb {
                     coefficients: [self.coefficient(first)?, self.coefficient(second)?],
-                    axis: self.axis(keys, span)?,
+                    axis: Some(self.axis(keys, span)?),
                     limit,
                 })
             }
         }
     }
 
-    fn bound(
-        &self,
-        keys: Option<&Spanned<FieldKeys>>,
-    ) -> Result<Option<Spanned<Field>>, CaseError> {
+    fn bound(&self, keys: Option<&At<FieldKeys>>) -> Result<Option<ScalarField>, CaseError> {
         keys.map(|keys| self.slip_bound(keys)).transpose()
     }
 
-    fn slip_bound(&self, keys: &Spanned<FieldKeys>) -> Result<Spanned<Field>, CaseError> {
+    fn slip_bound(&self, keys: &At<FieldKeys>) -> Result<ScalarField, CaseError> {
         self.field("the slip bound", Kind::Bound, keys, BOUND_HELP)
     }
 
-    fn coefficient(&self, value: &Spanned<f64>) -> Result<Spanned<f64>, CaseError> {
+    fn coefficient(&self, value: &At<f64>) -> Result<f64, CaseError> {
         let help = "it is the ratio of tangential to normal traction at which the pair slides";
-        self.not_negative("the coefficient of friction", value, help)?;
-        Ok(value.clone())
+        self.not_negative("the coefficient of friction", value, help)
     }
 
-    fn axis(&self, keys: &FrictionKeys, span: Span) -> Result<Spanned<[f64; 3]>, CaseError> {
+    fn axis(&self, keys: &FrictionKeys, span: Span) -> Result<[f64; 3], CaseError> {
         let help = "`axis = [x, y, z]` is the direction of the first axis; its part in the tangential \
                     plane counts";
         let Some(axis) = &keys.axis else {
             return Err(self.missing_figure(keys, span, "axis", help));
         };
         self.finite_components("the axis", axis)?;
-        let values = axis.get_ref().values();
+        let values = axis.values();
         if values == [0.0; 3] {
             return Err(self
                 .fault(
@@ -239,12 +193,12 @@ impl Check<'_> {
                 .with_help(help)
                 .into());
         }
-        Ok(Spanned::new(axis.span(), values))
+        Ok(values)
     }
 
-    fn two<'k, T>(&self, key: &str, list: &'k Spanned<Vec<T>>) -> Result<&'k [T; 2], CaseError> {
-        let found = list.get_ref().len();
-        <&[T; 2]>::try_from(list.get_ref().as_slice()).map_err(|_| {
+    fn two<'k, T>(&self, key: &str, list: &'k At<Vec<T>>) -> Result<&'k [T; 2], CaseError> {
+        let found = list.len();
+        <&[T; 2]>::try_from(list.as_slice()).map_err(|_| {
             self.fault(
                 FaultKind::WrongType,
                 list.span(),
@@ -283,7 +237,7 @@ impl Check<'_> {
             span,
             format!(
                 "the friction law `{}` needs {article}`{key}`",
-                keys.law.get_ref()
+                keys.law.value
             ),
             format!("expected `{key}` in this table"),
         )
@@ -293,21 +247,18 @@ impl Check<'_> {
 
     /// Refuses the keys of other laws.
     fn keys_of_law(&self, keys: &FrictionKeys) -> Result<(), CaseError> {
-        let law = keys.law.get_ref().as_str();
+        let law = keys.law.as_str();
         let laws = || LAWS.into_iter().zip(KEYS);
         let taken = laws()
             .find(|(name, _)| *name == law)
             .map_or(&[][..], |(_, keys)| keys);
         let given = [
-            ("bound", keys.bound.as_ref().map(Spanned::span)),
-            ("bounds", keys.bounds.as_ref().map(Spanned::span)),
-            ("coefficient", keys.coefficient.as_ref().map(Spanned::span)),
-            (
-                "coefficients",
-                keys.coefficients.as_ref().map(Spanned::span),
-            ),
-            ("axis", keys.axis.as_ref().map(Spanned::span)),
-            ("limit", keys.limit.as_ref().map(Spanned::span)),
+            ("bound", keys.bound.as_ref().map(At::span)),
+            ("bounds", keys.bounds.as_ref().map(At::span)),
+            ("coefficient", keys.coefficient.as_ref().map(At::span)),
+            ("coefficients", keys.coefficients.as_ref().map(At::span)),
+            ("axis", keys.axis.as_ref().map(At::span)),
+            ("limit", keys.limit.as_ref().map(At::span)),
         ];
         for (key, span) in given {
             let Some(span) = span else { continue };
@@ -334,4 +285,31 @@ impl Check<'_> {
         }
         Ok(())
     }
+}
+
+/// Friction laws that are not known. Without this the report on a law of another version would name
+/// one of its keys instead of the law.
+pub(crate) fn known_laws(source: &CaseSource, root: &DeTable<'_>) -> Result<(), CaseError> {
+    let contacts = root
+        .get("contact")
+        .and_then(|list| list.get_ref().as_array());
+    let laws = contacts
+        .into_iter()
+        .flatten()
+        .filter_map(|contact| contact.get_ref().get("friction")?.get_ref().get("law"));
+    for law in laws {
+        if let DeValue::String(name) = law.get_ref()
+            && !LAWS.contains(&name.as_ref())
+        {
+            return Err(unsupported(
+                source,
+                law.span(),
+                format!("the friction law `{name}` is not supported"),
+                name,
+                &LAWS,
+            )
+            .into());
+        }
+    }
+    Ok(())
 }

@@ -1,20 +1,32 @@
-//! Scale, rotation and translation, and the vectors and lengths that they and obstacles consist of.
+//! Scale, rotation and translation.
 
-use toml::Spanned;
-
-use super::check::Check;
-use super::error::{CaseError, FaultKind};
-use super::keys::RotateKeys;
-use super::source::Span;
+use serde::Deserialize;
 use tresca_io::mesh::{Placement, Rotation};
 
-impl Check<'_> {
+use crate::error::{CaseError, FaultKind};
+use crate::numbers::Triple;
+use crate::reader::Reader;
+use crate::text::At;
+
+/// `rotate`: a rotation by the right-hand rule.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table `{ axis = …, angle = … }`")]
+pub(crate) struct RotateKeys {
+    /// Direction of the axis. Default in the plane: that of z.
+    pub axis: Option<At<Triple<f64>>>,
+    /// Angle in degrees.
+    pub angle: At<f64>,
+    /// A point of the axis (length). Default: the origin.
+    pub about: Option<At<Vec<At<f64>>>>,
+}
+
+impl Reader<'_> {
     /// Scale, rotation and translation.
-    pub(super) fn placement(
+    pub(crate) fn placement(
         &self,
-        scale: Option<&Spanned<f64>>,
-        rotate: Option<&Spanned<RotateKeys>>,
-        translate: Option<&Spanned<Vec<Spanned<f64>>>>,
+        scale: Option<&At<f64>>,
+        rotate: Option<&At<RotateKeys>>,
+        translate: Option<&At<Vec<At<f64>>>>,
     ) -> Result<Placement, CaseError> {
         let help = "it multiplies all coordinates, as in `scale = 1e-3` from millimetres to metres";
         let scale = scale.map(|scale| self.positive("the scale", scale, help));
@@ -27,12 +39,12 @@ impl Check<'_> {
         })
     }
 
-    fn rotation(&self, keys: &Spanned<RotateKeys>) -> Result<Rotation, CaseError> {
-        let (span, keys) = (keys.span(), keys.get_ref());
+    fn rotation(&self, keys: &At<RotateKeys>) -> Result<Rotation, CaseError> {
+        let span = keys.span();
         let axis = match &keys.axis {
             Some(axis) => {
                 self.finite_components("the axis", axis)?;
-                self.direction("the axis", axis.span(), axis.get_ref().values())?
+                self.direction("the axis", axis.span(), axis.value.values())?
             }
             None if self.analysis.dimension() == 2 => [0.0, 0.0, 1.0],
             None => {
@@ -56,48 +68,5 @@ impl Check<'_> {
             angle: self.finite("the angle", &keys.angle)?,
             about: about.transpose()?.unwrap_or_default(),
         })
-    }
-
-    /// A vector that points somewhere.
-    pub(super) fn direction(
-        &self,
-        what: &str,
-        span: Span,
-        vector: [f64; 3],
-    ) -> Result<[f64; 3], CaseError> {
-        if vector != [0.0; 3] {
-            return Ok(vector);
-        }
-        Err(self
-            .fault(
-                FaultKind::BadValue,
-                span,
-                format!("{what} has no direction"),
-                "expected a vector that is not zero",
-            )
-            .with_help("its length does not matter")
-            .into())
-    }
-
-    /// A number above 0.
-    pub(super) fn positive(
-        &self,
-        what: &str,
-        value: &Spanned<f64>,
-        help: &str,
-    ) -> Result<f64, CaseError> {
-        let number = self.finite(what, value)?;
-        if number > 0.0 {
-            return Ok(number);
-        }
-        Err(self
-            .fault(
-                FaultKind::BadValue,
-                value.span(),
-                format!("{what} must be positive"),
-                format!("expected more than 0, found {number:?}"),
-            )
-            .with_help(help)
-            .into())
     }
 }

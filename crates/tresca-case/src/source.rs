@@ -60,13 +60,13 @@ impl CaseSource {
     }
 
     /// The same range with both ends inside the text and between characters.
-    pub(super) fn clip(&self, span: Span) -> Span {
+    pub(crate) fn clip(&self, span: Span) -> Span {
         let start = self.floor(span.start);
         start..self.floor(span.end).max(start)
     }
 
     /// The text that a span covers.
-    pub(super) fn slice(&self, span: Span) -> &str {
+    pub(crate) fn slice(&self, span: Span) -> &str {
         &self.text[self.clip(span)]
     }
 

@@ -343,6 +343,15 @@ impl Model {
             })
     }
 
+    /// Everything that load steps may change: of supports, loads, obstacles and contacts, in this order.
+    pub fn quantities(&self) -> impl Iterator<Item = Quantity> {
+        let supports = (0..self.supports.len()).map(|i| SupportId(i).into());
+        let loads = (0..self.loads.len()).map(|i| LoadId(i).into());
+        let motions = (0..self.obstacles.len()).map(|i| ObstacleId(i).into());
+        let bounds = (0..self.contacts.len()).map(|i| ContactId(i).into());
+        supports.chain(loads).chain(motions).chain(bounds)
+    }
+
     /// What load steps can put in the place of a quantity; `None` where they can only scale it, or not even that.
     pub fn shape(&self, quantity: Quantity) -> Option<Shape> {
         match quantity {

@@ -1,11 +1,11 @@
 //! Formulas in x, y, z: slip bounds, gaps, loads and mesh maps that vary over a body.
 //!
 //! ```
-//! use tresca_io::expression::Expression;
+//! use tresca_case::expression::Expression;
 //!
 //! let bound = Expression::parse("0.5*(1 + x^2)")?;
 //! assert_eq!(bound.at([2.0, 0.0, 0.0]), 2.5);
-//! # Ok::<(), tresca_io::expression::ExpressionError>(())
+//! # Ok::<(), tresca_case::expression::ExpressionError>(())
 //! ```
 //!
 //! The grammar is that of mathematics: `-x^2` is −(x²), `2^3^2` is 2⁹, `a/b*c` is (a/b)c, functions

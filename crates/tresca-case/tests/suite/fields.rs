@@ -3,9 +3,11 @@
 use std::fs;
 
 use insta::assert_snapshot;
-use tresca_case::{Field, Friction};
+use tresca_case::Case;
 
-use crate::support::{PLANE, RICH, Solver, changed, render_in, report, with};
+use crate::support::{
+    PLANE, RICH, Solver, at, bound as bound_of, changed, constant, render_in, report, with,
+};
 
 fn bound(text: &str) -> String {
     with("0.09", text)
@@ -14,10 +16,8 @@ fn bound(text: &str) -> String {
 #[test]
 fn an_expression_without_variables_is_a_number() {
     let case = crate::support::parse(&bound("\"2*pi\"")).unwrap();
-    let Friction::Tresca { bound } = &case.contacts[0].friction else {
-        panic!("another law");
-    };
-    assert!(matches!(bound.get_ref(), Field::Constant(v) if *v == 2.0 * std::f64::consts::PI));
+    let bound = bound_of(&case.model.contacts()[0].friction);
+    assert_eq!(constant(bound), Some(2.0 * std::f64::consts::PI));
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn report_with_table(case: &str, table: &str) -> String {
     let directory = tempfile::tempdir().unwrap();
     fs::write(directory.path().join("case.toml"), case).unwrap();
     fs::write(directory.path().join("bounds.csv"), table).unwrap();
-    let error = tresca_case::read::<Solver>(directory.path().join("case.toml"))
+    let error = Case::<Solver>::load_with(directory.path().join("case.toml"))
         .map(|_| ())
         .unwrap_err();
     let path = directory.path().display().to_string();
@@ -190,16 +190,10 @@ fn values_come_from_a_table_beside_the_case() {
     fs::create_dir(directory.path().join("tables")).unwrap();
     let table = "\u{feff}x, y, z, value\r\n0,0,1,0.1\r\n2, 0, 1, 2e-1\r\n0,1,1,0\n\n2,0,1,0.3\n";
     fs::write(directory.path().join("tables/bounds.csv"), table).unwrap();
-    let case = tresca_case::read::<Solver>(&case).unwrap();
-    let Friction::Tresca { bound } = &case.contacts[0].friction else {
-        panic!("another law");
-    };
-    let Field::Samples(samples) = bound.get_ref() else {
-        panic!("no samples");
-    };
-    assert_eq!((samples.file(), samples.len()), ("tables/bounds.csv", 4));
-    let at = |point| bound.get_ref().at(point);
-    assert_eq!(bound.get_ref().constant(), None);
+    let case = Case::<Solver>::load_with(&case).unwrap();
+    let bound = bound_of(&case.model.contacts()[0].friction);
+    let at = |point| at(bound, point);
+    assert_eq!(constant(bound), None);
     assert_eq!(at([0.1, 0.1, 1.0]), 0.1);
     assert_eq!(at([0.0, 0.9, 1.0]), 0.0);
     // Two rows at the same point: the first counts.
@@ -231,10 +225,8 @@ fn the_nearest_row_is_found_among_many() {
     fs::write(directory.path().join("bounds.csv"), table).unwrap();
     let path = directory.path().join("case.toml");
     fs::write(&path, bound("{ file = \"bounds.csv\" }")).unwrap();
-    let case = tresca_case::read::<Solver>(&path).unwrap();
-    let Friction::Tresca { bound } = &case.contacts[0].friction else {
-        panic!("another law");
-    };
+    let case = Case::<Solver>::load_with(&path).unwrap();
+    let bound = bound_of(&case.model.contacts()[0].friction);
     for _ in 0..500 {
         let p = [random() + 0.125, random(), random()];
         let distance = |row: &[f64; 4]| (0..3).map(|i| (row[i] - p[i]).powi(2)).sum::<f64>();
@@ -244,7 +236,7 @@ fn the_nearest_row_is_found_among_many() {
                 best = row;
             }
         }
-        assert_eq!(bound.get_ref().at(p), best[3]);
+        assert_eq!(at(bound, p), best[3]);
     }
 }
 
@@ -262,11 +254,9 @@ fn a_table_in_the_plane_has_two_coordinates() {
         "x,y,value\n0,0,1\n2,0,3\n",
     )
     .unwrap();
-    let read = tresca_case::read::<Solver>(directory.path().join("case.toml")).unwrap();
-    let Friction::Tresca { bound } = &read.contacts[0].friction else {
-        panic!("another law");
-    };
-    assert_eq!(bound.get_ref().at([1.5, 0.0, 0.0]), 3.0);
+    let read = Case::<Solver>::load_with(directory.path().join("case.toml")).unwrap();
+    let bound = bound_of(&read.model.contacts()[0].friction);
+    assert_eq!(at(bound, [1.5, 0.0, 0.0]), 3.0);
     assert!(
         report_with_table(&case, "x,y,z,value\n0,0,0,1\n")
             .contains("expected the header `x,y,value`")

@@ -4,6 +4,8 @@ use std::fs;
 
 use insta::assert_snapshot;
 
+use tresca_case::Case;
+
 use crate::support::{GOOD, Solver, render_in};
 
 /// The report on a file in a fresh directory, whose path is taken out of the text.
@@ -12,7 +14,7 @@ fn report(files: &[(&str, &[u8])], wanted: &str) -> String {
     for (name, bytes) in files {
         fs::write(directory.path().join(name), bytes).unwrap();
     }
-    let error = tresca_case::read::<Solver>(directory.path().join(wanted)).map(|_| ());
+    let error = Case::<Solver>::load_with(directory.path().join(wanted)).map(|_| ());
     // Wide enough for no line to break, for the path has any length.
     let report = render_in(1000, &error.unwrap_err());
     let path = directory.path().display().to_string();
@@ -24,8 +26,8 @@ fn a_good_file_is_read() {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("two-bricks.toml");
     fs::write(&path, GOOD.replace("title", "# title")).unwrap();
-    let case = tresca_case::read::<Solver>(&path).unwrap();
-    assert_eq!(case.title, "two-bricks");
+    let case = Case::<Solver>::load_with(&path).unwrap();
+    assert_eq!(case.model.title(), "two-bricks");
     assert_eq!(case.source.name(), path.display().to_string());
 }
 

@@ -1,43 +1,37 @@
 //! A good file gives the values that stand in it.
 
-use tresca_case::{CaseError, FaultKind, Friction, Mesh};
+use tresca_case::{CaseError, FaultKind};
+use tresca_fem::material::Isotropic;
+use tresca_model::{ContactId, LoadId, LoadKind, Subject};
 
-use crate::support::{GOOD, Method, Solver, pair, parse, render, with};
+use crate::support::{GOOD, Method, Solver, bound, constant, parse, place, render, with};
 
 #[test]
 fn the_founding_benchmark_is_read_as_it_stands() {
     let case = parse(GOOD).unwrap();
-    assert_eq!(case.title, "Two bricks with Tresca friction");
-    assert_eq!(case.bodies.len(), 2);
+    let model = &case.model;
+    assert_eq!(model.title(), "Two bricks with Tresca friction");
+    assert_eq!(model.bodies().len(), 2);
 
-    let upper = &case.bodies[0];
-    assert_eq!(upper.name.get_ref(), "upper");
-    let Mesh::Brick(brick) = upper.mesh.get_ref() else {
-        panic!("no brick");
-    };
-    assert_eq!(brick.min.get_ref().values(), [0.0, 0.0, 1.0]);
-    assert_eq!(brick.max.get_ref().values(), [2.0, 1.0, 2.0]);
-    assert_eq!(brick.nodes.get_ref().values(), [16, 16, 16]);
-    let material = upper.material.get_ref();
-    assert_eq!(*material.young.get_ref(), 5.0e4);
-    assert_eq!(*material.poisson.get_ref(), 0.277);
+    let upper = &model.bodies()[0];
+    assert_eq!(upper.name, "upper");
+    let extent = upper.mesh.bounding_box();
+    assert_eq!((extent.min, extent.max), ([0.0, 0.0, 1.0], [2.0, 1.0, 2.0]));
+    assert_eq!(upper.mesh.node_count(), 16 * 16 * 16);
+    assert_eq!(upper.material, Isotropic::new(5.0e4, 0.277).unwrap());
 
-    let clamped: Vec<_> = case.clamps[0]
-        .on
-        .iter()
-        .map(|s| (s.body, s.face.as_str()))
-        .collect();
+    let clamps = model.supports().iter();
+    let clamped: Vec<_> = clamps.flat_map(|s| &s.on).map(place).collect();
     assert_eq!(clamped, [(0, "x+"), (1, "x-")]);
-    assert_eq!(case.tractions[0].value.constant(), Some([0.0, 0.0, -1.0]));
-
-    let contact = &case.contacts[0];
-    let (slave, master) = pair(contact);
-    assert_eq!((slave.body, slave.face.as_str()), (0, "z-"));
-    assert_eq!((master.body, master.face.as_str()), (1, "z+"));
-    let Friction::Tresca { bound } = &contact.friction else {
-        panic!("another law");
+    let LoadKind::Traction(traction) = &model.loads()[0].kind else {
+        panic!("another load");
     };
-    assert_eq!(bound.get_ref().constant(), Some(0.09));
+    assert_eq!(traction.value.constant(), Some([0.0, 0.0, -1.0]));
+
+    let contact = &model.contacts()[0];
+    assert_eq!(place(&contact.slave), (0, "z-"));
+    assert_eq!(contact.master.surface().map(place), Some((1, "z+")));
+    assert_eq!(constant(bound(&contact.friction)), Some(0.09));
 
     assert_eq!(
         case.solver,
@@ -53,11 +47,9 @@ fn the_founding_benchmark_is_read_as_it_stands() {
 fn whole_numbers_are_numbers() {
     let text = with("[2.0, 1.0, 2.0]", "[2, 1, 2]").replace("5.0e4", "50_000");
     let case = parse(&text).unwrap();
-    let Mesh::Brick(brick) = case.bodies[0].mesh.get_ref() else {
-        panic!("no brick");
-    };
-    assert_eq!(brick.max.get_ref().values(), [2.0, 1.0, 2.0]);
-    assert_eq!(*case.bodies[1].material.get_ref().young.get_ref(), 5.0e4);
+    let bodies = case.model.bodies();
+    assert_eq!(bodies[0].mesh.bounding_box().max, [2.0, 1.0, 2.0]);
+    assert_eq!(bodies[1].material, Isotropic::new(5.0e4, 0.35).unwrap());
 }
 
 #[test]
@@ -68,8 +60,10 @@ fn what_may_be_absent_gets_its_default() {
         .map(|rest| format!("[[body]]{rest}"))
         .unwrap();
     let case = parse(&body).unwrap();
-    assert_eq!(case.title, "case");
-    assert!(case.clamps.is_empty() && case.tractions.is_empty() && case.contacts.is_empty());
+    let model = &case.model;
+    assert_eq!(model.title(), "case");
+    assert!(model.supports().is_empty() && model.loads().is_empty());
+    assert!(model.contacts().is_empty() && model.steps().is_empty());
     assert_eq!(case.solver, Solver::default());
 }
 
@@ -77,26 +71,24 @@ fn what_may_be_absent_gets_its_default() {
 fn line_ends_and_a_byte_order_mark_make_no_difference() {
     let windows = format!("\u{feff}{}", GOOD.replace('\n', "\r\n"));
     let case = parse(&windows).unwrap();
-    let span = case.bodies[1].material.get_ref().poisson.span();
+    let span = case.source.locate("body[1].material.poisson").unwrap();
     assert_eq!(&case.source.text()[span.clone()], "0.35");
     assert_eq!(case.source.line_column(span.start), (11, 39));
 }
 
+/// What is said of a part of the model is said where it stands.
 #[test]
-fn spans_cover_what_they_belong_to() {
+fn parts_of_the_model_have_their_places() {
     let case = parse(GOOD).unwrap();
-    let text = |span: std::ops::Range<usize>| &GOOD[span];
-    let contact = &case.contacts[0];
-    assert_eq!(text(pair(contact).1.span.clone()), "\"lower.z+\"");
-    assert_eq!(text(contact.span.clone()), "[[contact]]");
-    let Friction::Tresca { bound } = &contact.friction else {
-        panic!("another law");
+    let place = |subject: Subject| {
+        let error = case.fault(subject, "wrong", "this", "");
+        let line = error.line_column().unwrap().0;
+        GOOD.lines().nth(line - 1).unwrap().to_owned()
     };
-    assert_eq!(text(bound.span()), "0.09");
-    assert_eq!(
-        text(case.tractions[0].value.span.clone()),
-        "[0.0, 0.0, -1.0]"
-    );
+    assert_eq!(place(Subject::Body(1)), "name = \"lower\"");
+    assert_eq!(place(LoadId(0).into()), "[[traction]]");
+    assert_eq!(place(ContactId(0).into()), "[[contact]]");
+    assert_eq!(place(Subject::Model), GOOD.lines().next().unwrap());
 }
 
 #[test]
@@ -121,15 +113,18 @@ fn later_checks_find_the_place_of_a_key() {
 #[test]
 fn later_checks_report_like_the_early_ones() {
     let case = parse(GOOD).unwrap();
-    let (slave, master) = pair(&case.contacts[0]);
+    let span = |word: &str| {
+        let start = GOOD.find(word).unwrap();
+        start..start + word.len()
+    };
     let error = CaseError::semantic(
         &case.source,
-        slave.span.clone(),
+        span("\"upper.z-\""),
         "the two surfaces do not match node by node",
         "16 × 16 nodes",
         "give both bodies the same `nodes` along the contact surface",
     )
-    .and_at(master.span.clone(), "16 × 15 nodes");
+    .and_at(span("\"lower.z+\""), "16 × 15 nodes");
     assert_eq!(error.line_column(), Some((21, 9)));
     let CaseError::Fault(fault) = &error else {
         panic!("{error:?}");

@@ -39,7 +39,7 @@ title = "#,
      2 │ title = "Two bricks with Tresca friction"
        ╰────
       help: the keys that belong here are `title`, `analysis`, `body`, `clamp`, `support`, `traction`,
-            `pressure`, `body_force`, `gravity`, `obstacle`, `contact`, `step` and `solver`
+            `pressure`, `body_force`, `gravity`, `force`, `obstacle`, `contact`, `step` and `solver`
     "#);
 }
 
@@ -58,7 +58,7 @@ fn a_misspelt_table() {
      17 │ on = ["upper.z+", "upper.x-"]
         ╰────
       help: the keys that belong here are `title`, `analysis`, `body`, `clamp`, `support`, `traction`,
-            `pressure`, `body_force`, `gravity`, `obstacle`, `contact`, `step` and `solver`
+            `pressure`, `body_force`, `gravity`, `force`, `obstacle`, `contact`, `step` and `solver`
     "#);
 }
 

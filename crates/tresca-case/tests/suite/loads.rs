@@ -2,7 +2,9 @@
 
 use insta::assert_snapshot;
 
-use crate::support::{RICH, changed, parse, report};
+use tresca_model::{Amount, LoadId, LoadKind};
+
+use crate::support::{RICH, at, changed, constant, parse, place, report};
 
 fn rich(from: &str, to: &str) -> String {
     changed(RICH, from, to)
@@ -11,46 +13,75 @@ fn rich(from: &str, to: &str) -> String {
 #[test]
 fn loads_are_read_as_they_stand() {
     let case = parse(RICH).unwrap();
-    let name = |name: &Option<toml::Spanned<String>>| name.as_ref().map(|n| n.get_ref().clone());
-
-    let [drag, roller] = case.supports.as_slice() else {
+    let model = &case.model;
+    let [drag, roller] = model.supports() else {
         panic!("not two supports");
     };
-    assert_eq!(name(&drag.name).as_deref(), Some("drag"));
-    assert_eq!(drag.displacement, [Some(0.5), None, Some(-0.25)]);
-    assert_eq!((drag.on[0].body, drag.on[0].face.as_str()), (0, "x+"));
-    assert_eq!(&RICH[drag.span.clone()], "[[support]]");
+    assert_eq!(drag.name.as_deref(), Some("drag"));
+    assert_eq!(drag.components, [Some(0.5), None, Some(-0.25)]);
+    assert_eq!(place(&drag.on[0]), (0, "x+"));
     assert_eq!(
-        (name(&roller.name), roller.displacement),
+        (roller.name.as_deref(), roller.components),
         (None, [None, Some(0.0), None])
     );
 
-    let [push, wave] = case.tractions.as_slice() else {
-        panic!("not two tractions");
+    let names: Vec<_> = model.loads().iter().map(|l| l.name.as_deref()).collect();
+    let all = ["push", "wave", "water", "wind", "swirl", "weight"];
+    assert_eq!(names, all.map(Some));
+    let kinds = model.loads().iter().map(|load| &load.kind);
+    let kinds: Vec<&LoadKind> = kinds.collect();
+    let [
+        LoadKind::Traction(push),
+        LoadKind::Traction(wave),
+        LoadKind::Pressure(water),
+        LoadKind::Pressure(wind),
+        LoadKind::BodyForce(swirl),
+        LoadKind::Gravity(weight),
+    ] = kinds.as_slice()
+    else {
+        panic!("other loads: {kinds:?}");
     };
     assert_eq!(push.value.constant(), Some([0.0, 0.0, -1.0]));
     assert_eq!(wave.value.constant(), None);
     assert_eq!(wave.value.at([0.5, 7.0, 7.0]), [0.0, 0.5_f64.sin(), -1.0]);
-    assert_eq!(&RICH[wave.value.components[1].span()], "\"sin(x)\"");
+    assert_eq!(constant(&water.value), Some(2.0));
+    assert_eq!(at(&wind.value, [0.0, 0.0, 1.5]), 3.0);
+    assert_eq!(swirl.value, [0.1, 0.2, 0.3]);
+    assert_eq!(weight.value, [0.0, 0.0, -10.0]);
+    let loaded = |i: usize| model.loads()[i].on.names(model.bodies());
+    assert_eq!(loaded(0), ["upper.z+"]);
+    assert_eq!(loaded(4), ["upper", "lower"]);
+    assert_eq!(loaded(5), ["upper"]);
+}
 
-    let [water, wind] = case.pressures.as_slice() else {
-        panic!("not two pressures");
+#[test]
+fn a_total_force_varies_as_all_loads_do() {
+    let force =
+        "[[force]]\nname = \"jack\"\non = [\"upper.z+\", \"upper.y+\"]\nvalue = [1, 2, 3]\n";
+    let steps = "[[step]]\nfactors = { jack = 0.5 }\n[[step]]\nvalues = { jack = [0, 0, 4] }\n";
+    let (rest, _) = RICH.split_once("[[step]]").unwrap();
+    let case = parse(&format!("{rest}{force}{steps}")).unwrap();
+    let model = &case.model;
+    let LoadKind::Force(jack) = &model.loads()[6].kind else {
+        panic!("another load");
     };
-    assert_eq!(water.value.get_ref().constant(), Some(2.0));
-    assert_eq!(wind.value.get_ref().at([0.0, 0.0, 1.5]), 3.0);
-    assert_eq!(&RICH[wind.value.span()], "\"2*z\"");
-
-    let swirl = &case.body_forces[0];
+    assert_eq!(jack.value, [1.0, 2.0, 3.0]);
     assert_eq!(
-        (swirl.bodies.as_slice(), swirl.value),
-        (&[0, 1][..], [0.1, 0.2, 0.3])
+        model.loads()[6].on.names(model.bodies()),
+        ["upper.z+", "upper.y+"]
     );
-    let weight = &case.gravities[0];
+    let amounts = model.steps().iter().map(|step| step.amount(LoadId(6)));
+    let amounts: Vec<Amount> = amounts.collect();
     assert_eq!(
-        (weight.bodies.as_slice(), weight.value),
-        (&[0][..], [0.0, 0.0, -10.0])
+        amounts,
+        [Amount::Factor(0.5), Amount::Vector([0.0, 0.0, 4.0])]
     );
-    assert_eq!(name(&weight.name).as_deref(), Some("weight"));
+    let wrong = steps.replace("[0, 0, 4]", "4");
+    let report = report(&format!("{rest}{force}{wrong}"));
+    assert!(
+        report.contains("expected a list of numbers for `jack`"),
+        "{report}"
+    );
 }
 
 #[test]
@@ -73,7 +104,7 @@ fn a_support_that_holds_nothing() {
 #[test]
 fn components_of_a_surface_may_stand_in_different_supports() {
     let text = rich("on = [\"lower.z-\"]", "on = [\"lower.z-\", \"upper.x+\"]");
-    assert_eq!(parse(&text).unwrap().supports.len(), 2);
+    assert_eq!(parse(&text).unwrap().model.supports().len(), 2);
 }
 
 #[test]

@@ -1,10 +1,9 @@
 //! Meshes out of files, placement, kinds of cells, formulations.
 
-use tresca_case::Mesh;
 use tresca_fem::assembly::Formulation;
 use tresca_fem::mesh::CellKind;
 
-use crate::support::{GOOD, OBSTACLES, changed, parse, parse_here, report, report_here, with};
+use crate::support::{OBSTACLES, changed, parse, parse_here, place, report, report_here, with};
 
 /// Two boxes out of one file, the second one as long as in millimetres, put on the first.
 const FILES: &str = r#"
@@ -42,23 +41,22 @@ fn refused(from: &str, to: &str) -> String {
 #[test]
 fn parts_of_a_file_are_bodies_and_their_groups_surfaces() {
     let case = parse_here(FILES).unwrap();
-    let meshes: Vec<_> = case
-        .bodies
-        .iter()
-        .map(|body| match body.mesh.get_ref() {
-            Mesh::File(file) => &file.body.mesh,
-            other => panic!("{other:?}"),
-        })
-        .collect();
+    let model = &case.model;
+    let meshes = [0, 1].map(|body| &model.bodies()[body].mesh);
     assert!((meshes[0].volume() - 1.0).abs() < 1e-14);
     assert!((meshes[1].volume() - 0.25).abs() < 1e-14);
-    // Scaled about the origin, then moved.
-    assert_eq!(meshes[1].bounding_box().min, [2.5, 0.0, 1.0]);
-    assert_eq!(meshes[1].bounding_box().max, [3.0, 0.5, 2.0]);
-    let on = &case.clamps[0].on;
-    assert_eq!((on[0].nodes_only, on[1].nodes_only), (false, true));
-    assert!(case.supports[0].on[0].nodes_only);
-    assert_eq!(case.pressures[0].on[0].face, "bottom plane");
+    // Scaled about the origin, then moved, then mapped.
+    assert_eq!(meshes[1].bounding_box().min, [0.0, 0.0, 1.0]);
+    assert_eq!(meshes[1].bounding_box().max, [0.5, 0.5, 2.0]);
+    let on: Vec<_> = model.supports().iter().map(|s| place(&s.on[0])).collect();
+    assert_eq!(on, [(0, "ends"), (0, "corner"), (0, "edge")]);
+    let faces = |set: &str| meshes[0].face_sets.contains_key(set);
+    assert_eq!(["ends", "corner", "edge"].map(faces), [true, false, false]);
+    assert_eq!(model.nodes(&model.supports()[1].on[0]).len(), 1);
+    assert_eq!(
+        model.loads()[0].on.names(model.bodies()),
+        ["low.bottom plane"]
+    );
 }
 
 #[test]
@@ -152,22 +150,23 @@ fn a_clamp_may_act_on_the_nodes_of_an_inner_surface() {
         .replace("low.corner", "low.between");
     let whole = whole.split("[[contact]]").next().unwrap();
     let case = parse_here(whole).unwrap();
-    assert!(case.clamps[0].on[1].nodes_only);
+    assert_eq!(place(&case.model.supports()[1].on[0]), (0, "between"));
 }
 
 #[test]
 fn bricks_are_placed_and_cut_into_cells() {
     let case = parse_here(OBSTACLES).unwrap();
-    let body = &case.bodies[0];
-    let Mesh::Brick(brick) = body.mesh.get_ref() else {
-        panic!("no brick")
-    };
-    assert_eq!(brick.cells.kind(), CellKind::Tet10);
-    assert_eq!(body.placement.apply([1.0, 0.0, 0.0]), [0.0, 2.0, 1.0]);
-    assert_eq!(*body.formulation.get_ref(), Formulation::Full);
-    assert_eq!(*case.bodies[1].formulation.get_ref(), Formulation::BBar);
-    let good = parse(GOOD).unwrap();
-    assert!(good.bodies[0].placement.is_identity());
+    let bodies = case.model.bodies();
+    let cells = |i: usize| bodies[i].mesh.cells[0].kind;
+    assert_eq!((cells(0), cells(1)), (CellKind::Tet10, CellKind::Hex8));
+    // Twice as large, turned by a right angle, lifted.
+    let extent = bodies[0].mesh.bounding_box();
+    assert_eq!(
+        (extent.min, extent.max),
+        ([-2.0, 0.0, 1.0], [0.0, 2.0, 3.0])
+    );
+    assert_eq!(bodies[0].formulation, Formulation::Full);
+    assert_eq!(bodies[1].formulation, Formulation::BBar);
     let plane = |cells: &str| {
         let text = format!(
             "analysis = \"axisymmetric\"\n[[body]]\nname = \"b\"\nmaterial = {{ young = 1, poisson = 0 }}\n\
@@ -175,15 +174,11 @@ fn bricks_are_placed_and_cut_into_cells() {
              rotate = {{ angle = 180, about = [1, 0] }} }}"
         );
         let case = parse(&text).unwrap();
-        let Mesh::Rectangle(rectangle) = case.bodies[0].mesh.get_ref() else {
-            panic!("no rectangle")
-        };
         // In the plane the axis is that of z, and a placed rectangle may start left of the axis.
-        assert_eq!(
-            case.bodies[0].placement.apply([-1.0, 0.0, 0.0]),
-            [3.0, 0.0, 0.0]
-        );
-        rectangle.cells.kind().to_string()
+        let mesh = &case.model.bodies()[0].mesh;
+        let extent = mesh.bounding_box();
+        assert!((extent.min[0] - 1.0).abs() < 1e-14 && (extent.max[0] - 3.0).abs() < 1e-14);
+        mesh.cells[0].kind.to_string()
     };
     let kinds = [
         "quad", "quad4", "quad8", "quad9", "triangle", "tri3", "tri6",

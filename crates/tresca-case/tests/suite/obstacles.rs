@@ -1,8 +1,9 @@
 //! Obstacles, and contacts that find their pairs.
 
-use tresca_case::{Coupling, ObstacleShape, Partners};
+use tresca_contact::{CouplingMethod, RigidShape as Shape};
+use tresca_model::{ObstacleId, Partner, Step};
 
-use crate::support::{OBSTACLES, PLANE, changed, parse, parse_here, report_here};
+use crate::support::{OBSTACLES, PLANE, changed, parse, parse_here, place, report_here};
 
 fn refused(from: &str, to: &str) -> String {
     report_here(&changed(OBSTACLES, from, to))
@@ -11,16 +12,16 @@ fn refused(from: &str, to: &str) -> String {
 #[test]
 fn every_shape_is_read() {
     let case = parse_here(OBSTACLES).unwrap();
-    let [table, ball, bore, tool] = case.obstacles.as_slice() else {
-        panic!("{:?}", case.obstacles)
+    let [table, ball, bore, tool] = case.model.obstacles() else {
+        panic!("{:?}", case.model.obstacles())
     };
-    assert_eq!(table.name.get_ref(), "table");
+    assert_eq!(table.name, "table");
     assert_eq!(table.motion, Some([0.0, 0.0, 0.5]));
-    let ObstacleShape::Plane { point, normal } = table.shape else {
+    let Shape::Plane { point, normal } = table.shape else {
         panic!("{table:?}")
     };
     assert_eq!((point, normal), ([0.0, 0.0, 1.0], [0.0, 0.0, 3.0]));
-    let ObstacleShape::Sphere {
+    let Shape::Sphere {
         center,
         radius,
         inside,
@@ -30,7 +31,7 @@ fn every_shape_is_read() {
     };
     assert_eq!((center, radius, inside), ([5.0, 0.0, 2.0], 2.0, false));
     assert_eq!(ball.motion, None);
-    let ObstacleShape::Cylinder {
+    let Shape::Cylinder {
         axis,
         radius,
         inside,
@@ -40,7 +41,7 @@ fn every_shape_is_read() {
         panic!("{bore:?}")
     };
     assert_eq!((axis, radius, inside), ([0.0, 0.0, 1.0], 4.0, true));
-    let ObstacleShape::Surface(surface) = &tool.shape else {
+    let Shape::Surface(surface) = &tool.shape else {
         panic!("{tool:?}")
     };
     for [x, y, z] in &surface.points {
@@ -52,42 +53,36 @@ fn every_shape_is_read() {
 #[test]
 fn contacts_have_a_surface_an_obstacle_or_a_distance() {
     let case = parse_here(OBSTACLES).unwrap();
-    let [stand, near, tool] = case.contacts.as_slice() else {
-        panic!("{:?}", case.contacts)
+    let [stand, near, tool] = case.model.contacts() else {
+        panic!("{:?}", case.model.contacts())
     };
-    let Partners::Obstacle { slave, obstacle } = &stand.partners else {
-        panic!("{stand:?}")
-    };
-    assert_eq!((slave.body, slave.face.as_str(), *obstacle), (0, "z-", 0));
+    assert_eq!(place(&stand.slave), (0, "z-"));
+    assert_eq!(stand.master, Partner::Obstacle(ObstacleId(0)));
     assert_eq!(
         (stand.coupling, stand.search),
-        (Coupling::Mortar, Some(0.5))
+        (CouplingMethod::Mortar, Some(0.5))
     );
-    let Partners::Near { distance, bodies } = &near.partners else {
-        panic!("{near:?}")
-    };
-    assert_eq!((*distance, bodies.as_slice()), (0.1, &[0, 1][..]));
-    assert_eq!((near.coupling, near.search), (Coupling::Auto, None));
-    assert!(matches!(
-        tool.partners,
-        Partners::Obstacle { obstacle: 3, .. }
-    ));
+    assert_eq!(place(&near.slave), (0, "near:lid"));
+    assert_eq!(near.master.surface().map(place), Some((1, "near:block")));
+    assert_eq!(
+        (near.coupling, near.search),
+        (CouplingMethod::Auto, Some(0.1))
+    );
+    assert_eq!(tool.master, Partner::Obstacle(ObstacleId(3)));
     // Without a list all bodies are looked at.
     let all = parse_here(&changed(OBSTACLES, "bodies = [\"lid\", \"block\"]\n", "")).unwrap();
-    let Partners::Near { bodies, .. } = &all.contacts[1].partners else {
-        panic!("no distance")
-    };
-    assert_eq!(bodies, &[0, 1]);
+    assert_eq!(all.model.contacts()[1].slave, near.slave);
 }
 
 #[test]
 fn motions_follow_the_steps() {
     let case = parse_here(OBSTACLES).unwrap();
-    let motions: Vec<_> = case
-        .steps
-        .iter()
-        .map(|s| s.amounts.motions[..2].to_vec())
-        .collect();
+    let motion = |step: &Step, i: usize| {
+        let obstacle = &case.model.obstacles()[i];
+        obstacle.motion_by(step.amount(ObstacleId(i)))
+    };
+    let steps = case.model.steps().iter();
+    let motions: Vec<_> = steps.map(|s| [motion(s, 0), motion(s, 1)]).collect();
     let still = [0.0; 3];
     assert_eq!(
         motions,
@@ -98,10 +93,8 @@ fn motions_follow_the_steps() {
         ]
     );
     let once = OBSTACLES.split("[[step]]").next().unwrap();
-    assert_eq!(
-        parse_here(once).unwrap().steps[0].amounts.motions[0],
-        [0.0, 0.0, 0.5]
-    );
+    let case = parse_here(once).unwrap();
+    assert_eq!(motion(&case.model.whole_step(), 0), [0.0, 0.0, 0.5]);
 }
 
 #[test]
@@ -115,15 +108,15 @@ fn in_the_plane_there_are_lines_and_circles() {
         "circle = { center = [1, 3], radius = 2 }\nmotion = [0, -1]",
     ))
     .unwrap();
-    let ObstacleShape::Cylinder { point, axis, .. } = case.obstacles[0].shape else {
-        panic!("{:?}", case.obstacles)
+    let Shape::Cylinder { point, axis, .. } = case.model.obstacles()[0].shape else {
+        panic!("{:?}", case.model.obstacles())
     };
     assert_eq!((point, axis), ([1.0, 3.0, 0.0], [0.0, 0.0, 1.0]));
-    assert_eq!(case.obstacles[0].motion, Some([0.0, -1.0, 0.0]));
+    assert_eq!(case.model.obstacles()[0].motion, Some([0.0, -1.0, 0.0]));
     let case = parse(&with("plane = { point = [0, 1], normal = [0, -1] }")).unwrap();
     assert!(matches!(
-        case.obstacles[0].shape,
-        ObstacleShape::Plane {
+        case.model.obstacles()[0].shape,
+        Shape::Plane {
             normal: [0.0, -1.0, 0.0],
             ..
         }

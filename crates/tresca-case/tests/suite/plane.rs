@@ -1,7 +1,9 @@
 //! Plane and axisymmetric cases, and maps.
 
 use insta::assert_snapshot;
-use tresca_case::{Analysis, Field, Mesh, PlaneCells};
+use tresca_fem::material::Isotropic;
+use tresca_fem::mesh::{CellKind, Space};
+use tresca_model::{Body, LoadKind};
 
 use crate::support::{PLANE, RICH, changed, parse, report, with};
 
@@ -12,51 +14,45 @@ fn plane(from: &str, to: &str) -> String {
 #[test]
 fn a_plane_case_is_read_as_it_stands() {
     let case = parse(PLANE).unwrap();
-    assert_eq!(case.analysis, Analysis::PlaneStrain);
-    assert_eq!(case.analysis.dimension(), 2);
-    let [block, ground] = case.bodies.as_slice() else {
+    let model = &case.model;
+    assert_eq!((model.space(), model.dimension()), (Space::Plane, 2));
+    let [block, ground] = &model.bodies()[..] else {
         panic!("not two bodies");
     };
-    let (Mesh::Rectangle(first), Mesh::Rectangle(second)) =
-        (block.mesh.get_ref(), ground.mesh.get_ref())
-    else {
-        panic!("no rectangles");
-    };
-    assert_eq!(first.min.get_ref().values(), [0.0, 0.0]);
-    assert_eq!(first.max.get_ref().values(), [2.0, 1.0]);
-    assert_eq!(first.nodes.get_ref().values(), [5, 3]);
+    let extent = block.mesh.bounding_box();
+    assert_eq!((extent.min, extent.max), ([0.0; 3], [2.0, 1.0, 0.0]));
+    assert_eq!(block.mesh.node_count(), 15);
+    let kind = |body: &Body| body.mesh.cells[0].kind;
     assert_eq!(
-        (first.cells, second.cells),
-        (PlaneCells::Quad4, PlaneCells::Tri3)
+        (kind(block), kind(ground)),
+        (CellKind::Quad4, CellKind::Tri3)
     );
-    assert!(block.map.is_none());
-    let map = ground.map.as_ref().unwrap();
-    assert_eq!(map.at([2.0, -1.0, 0.0]), [2.0, -1.4, 0.0]);
-    assert_eq!(map.constant(), None);
-    assert_eq!(&PLANE[map.span.clone()], r#"["x", "y - 0.1*x^2"]"#);
-    let z = &map.components[2];
-    assert!(matches!(z.get_ref(), Field::Constant(0.0)));
-    assert_eq!(z.span(), map.span);
-    assert_eq!(case.supports[0].displacement, [None, Some(0.0), None]);
-    assert_eq!(case.tractions[0].value.constant(), Some([0.0, -1.0, 0.0]));
+    // The map took the far corner below the others.
+    let extent = ground.mesh.bounding_box();
+    assert_eq!(
+        (extent.min, extent.max),
+        ([0.0, -1.4, 0.0], [2.0, 0.0, 0.0])
+    );
+    assert_eq!(model.supports()[0].components, [None, Some(0.0), None]);
+    let LoadKind::Traction(traction) = &model.loads()[0].kind else {
+        panic!("another load");
+    };
+    assert_eq!(traction.value.constant(), Some([0.0, -1.0, 0.0]));
 }
 
 #[test]
 fn the_words_of_all_analyses() {
-    for (word, analysis) in [
-        ("plane_strain", Analysis::PlaneStrain),
-        ("plane_stress", Analysis::PlaneStress),
-        ("axisymmetric", Analysis::Axisymmetric),
+    let steel = Isotropic::new(1.0, 0.3).unwrap();
+    for (word, space, material) in [
+        ("plane_strain", Space::Plane, steel),
+        ("plane_stress", Space::Plane, steel.plane_stress()),
+        ("axisymmetric", Space::Axisymmetric, steel),
     ] {
         let case = parse(&plane("plane_strain", word)).unwrap();
-        assert_eq!((case.analysis, case.analysis.word()), (analysis, word));
+        assert_eq!(case.model.space(), space);
+        assert_eq!(case.model.bodies()[0].material, material);
     }
-    let case = parse(RICH).unwrap();
-    assert_eq!(
-        (case.analysis, case.analysis.word()),
-        (Analysis::Solid, "solid")
-    );
-    assert_eq!(case.analysis.dimension(), 3);
+    assert_eq!(parse(RICH).unwrap().model.space(), Space::Solid);
 }
 
 #[test]
@@ -84,7 +80,7 @@ fn an_analysis_that_is_a_number() {
        ╭─[case.toml:1:12]
      1 │ analysis = 2
        ·            ┬
-       ·            ╰── found 2
+       ·            ╰── found the number 2
      2 │
        ╰────
     "#);
@@ -337,9 +333,8 @@ fn a_traction_with_three_components_in_the_plane() {
 #[test]
 fn a_density_and_a_negative_one() {
     let case = parse(RICH).unwrap();
-    let density = case.bodies[0].material.get_ref().density.as_ref();
-    assert_eq!(density.map(|d| *d.get_ref()), Some(7.8));
-    assert!(case.bodies[1].material.get_ref().density.is_none());
+    let bodies = case.model.bodies();
+    assert_eq!([bodies[0].density, bodies[1].density], [Some(7.8), None]);
     let text = with("poisson = 0.277", "poisson = 0.277, density = -7.8");
     assert_snapshot!(report(&text), @r#"
     case::bad_value

@@ -2,7 +2,9 @@
 
 use miette::{GraphicalReportHandler, GraphicalTheme};
 use serde::Deserialize;
-use tresca_case::{CaseError, CaseFile, Contact, Partners, Surface};
+use tresca_case::{Case, CaseError};
+use tresca_contact::{FrictionLaw, ScalarField};
+use tresca_model::Place;
 
 /// The founding benchmark: two bricks.
 pub const GOOD: &str = r#"title = "Two bricks with Tresca friction"
@@ -224,22 +226,44 @@ pub enum Method {
     Grssn,
 }
 
-pub fn parse(text: &str) -> Result<CaseFile<Solver>, CaseError> {
-    tresca_case::parse("case.toml", text)
+pub fn parse(text: &str) -> Result<Case<Solver>, CaseError> {
+    Case::parse_with("case.toml", text)
 }
 
-/// Slave and master of a contact of two surfaces.
-pub fn pair(contact: &Contact) -> (&Surface, &Surface) {
-    match &contact.partners {
-        Partners::Surfaces { slave, master } => (slave, master),
+/// Body and set of a place.
+pub fn place(place: &Place) -> (usize, &str) {
+    (place.body, &place.set)
+}
+
+/// The value of a field at a point.
+pub fn at(field: &ScalarField, point: [f64; 3]) -> f64 {
+    match field {
+        ScalarField::Constant(value) => *value,
+        ScalarField::Function(function) => function(point),
+        ScalarField::Values(_) => panic!("no key gives values at nodes"),
+    }
+}
+
+/// The value of a field that is the same everywhere.
+pub fn constant(field: &ScalarField) -> Option<f64> {
+    match field {
+        ScalarField::Constant(value) => Some(*value),
+        _ => None,
+    }
+}
+
+/// The bound of Tresca's law.
+pub fn bound(law: &FrictionLaw) -> &ScalarField {
+    match law {
+        FrictionLaw::Tresca { bound } => bound,
         other => panic!("{other:?}"),
     }
 }
 
 /// A text beside which relative paths start.
-pub fn parse_here(text: &str) -> Result<CaseFile<Solver>, CaseError> {
+pub fn parse_here(text: &str) -> Result<Case<Solver>, CaseError> {
     let here = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/suite/case.toml");
-    tresca_case::parse(here, text)
+    Case::parse_with(here, text)
 }
 
 /// The report on a text of [`parse_here`] that must be refused, from its first line to its place.

@@ -61,6 +61,8 @@ kinds! {
     body_force::BodyForce,
     /// Weight.
     gravity::Gravity,
+    /// A total force.
+    force::Force,
 }
 
 /// A load. `W` is how the places are called where it acts: by name as long as it is not part of a model.

@@ -37,6 +37,28 @@ fn the_benchmark_case_is_the_benchmark_model() {
     assert_eq!(loaded(&case.model), loaded(&model));
 }
 
+/// The clamps hold what a total force pushes.
+#[test]
+fn reactions_balance_a_total_force() {
+    let traction = "[[traction]]\non = [\"upper.z+\", \"upper.x-\"]\nvalue = [0.0, 0.0, -1.0]";
+    let force = "[[force]]\non = [\"upper.z+\", \"upper.x-\"]\nvalue = [0.1, -0.2, -3.0]";
+    assert!(TWO_BRICKS.contains(traction));
+    let text = TWO_BRICKS
+        .replace(traction, force)
+        .replace("[16, 16, 16]", "[5, 4, 4]");
+    let case = Case::parse("two-bricks.toml", &text).unwrap();
+    let outcome = tresca::solve(&case.model).unwrap();
+    assert!(outcome.converged());
+    let reactions = outcome.last().reactions.iter();
+    let sum = reactions.fold([0.0; 3], |sum, body| {
+        body.chunks(3)
+            .fold(sum, |sum, r| std::array::from_fn(|k| sum[k] + r[k]))
+    });
+    for (reaction, force) in sum.iter().zip([0.1, -0.2, -3.0]) {
+        assert!((reaction + force).abs() < 1e-9, "{sum:?}");
+    }
+}
+
 /// Solves as far as the first error and gives the report's message with line and column.
 fn refused(text: &str) -> (String, (usize, usize)) {
     let error = match Case::parse("case.toml", text) {

@@ -110,7 +110,8 @@ fn factors_in_a_list() {
 #[test]
 fn names_may_be_words_of_ours() {
     let text = RICH.replace("push", "material");
-    assert_eq!(parse(&text).unwrap().steps, parse(RICH).unwrap().steps);
+    let renamed = parse(&text).unwrap();
+    assert_eq!(renamed.model.steps(), parse(RICH).unwrap().model.steps());
 }
 
 #[test]

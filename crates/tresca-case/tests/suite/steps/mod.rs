@@ -3,7 +3,8 @@
 mod faults;
 
 use insta::assert_snapshot;
-use tresca_case::{Amount, Step};
+use tresca_model::Amount::{self, Factor, Scalar, Vector};
+use tresca_model::{Model, Quantity, Step};
 
 use crate::support::{GOOD, RICH, changed, parse, report};
 
@@ -18,71 +19,84 @@ fn steps(text: &str) -> String {
 }
 
 fn read(text: &str) -> Vec<Step> {
-    parse(&steps(text)).unwrap().steps
+    parse(&steps(text)).unwrap().model.steps().to_vec()
 }
 
-use Amount::{Factor, Value};
+/// What a name of the rich case means.
+fn quantity(model: &Model, name: &str) -> Quantity {
+    let names = model.supports().iter().map(|support| &support.name);
+    let names = names.chain(model.loads().iter().map(|load| &load.name));
+    let mut names = names.chain(model.contacts().iter().map(|contact| &contact.name));
+    let index = names.position(|own| own.as_deref() == Some(name)).unwrap();
+    model.quantities().nth(index).unwrap()
+}
+
+/// How much of something acts in each of some steps.
+fn amounts(steps: &[Step], name: &str) -> Vec<Amount> {
+    let quantity = quantity(&parse(RICH).unwrap().model, name);
+    steps.iter().map(|step| step.amount(quantity)).collect()
+}
+
+/// The displacements along x and z that a support prescribes in each of some steps.
+fn drag(steps: &[Step]) -> Vec<[f64; 2]> {
+    let model = parse(RICH).unwrap().model;
+    let of = |amount: Amount| match model.supports()[0].components_by(amount) {
+        [Some(x), None, Some(z)] => [x, z],
+        other => panic!("{other:?}"),
+    };
+    amounts(steps, "drag").into_iter().map(of).collect()
+}
+
+const LOADS: [&str; 6] = ["push", "wave", "water", "wind", "swirl", "weight"];
+const CONTACTS: [&str; 5] = ["joint", "grain", "rub", "rail", "glue"];
 
 #[test]
 fn without_steps_everything_acts_at_once() {
-    let steps = read("");
-    let [step] = steps.as_slice() else {
+    assert!(read("").is_empty() && parse(GOOD).unwrap().model.steps().is_empty());
+    // A step that says nothing says the same.
+    let [step] = &read("[[step]]\n")[..] else {
         panic!("not one step");
     };
-    assert_eq!((step.number, step.increment, step.increments), (0, 1, 1));
     assert_eq!((step.time, step.name.as_ref()), (1.0, None));
-    let amounts = &step.amounts;
-    let held = [[Some(0.5), None, Some(-0.25)], [None, Some(0.0), None]];
-    assert_eq!(amounts.supports, held);
-    assert_eq!(amounts.tractions, [Factor(1.0); 2]);
-    assert_eq!(amounts.pressures, [Factor(1.0); 2]);
-    assert_eq!(amounts.body_forces, [Factor(1.0)]);
-    assert_eq!(amounts.gravities, [Factor(1.0)]);
-    assert_eq!(amounts.bounds, [Factor(1.0); 5]);
-    // A step that says nothing says the same.
-    assert_eq!(read("[[step]]\n"), steps);
-    assert_eq!(parse(GOOD).unwrap().steps.len(), 1);
+    assert!(step.amounts.is_empty());
+    assert_eq!(drag(&[step.clone()]), [[0.5, -0.25]]);
 }
 
 #[test]
 fn steps_carry_over_and_increments_interpolate() {
-    let steps = parse(RICH).unwrap().steps;
+    let case = parse(RICH).unwrap();
+    let steps = case.model.steps();
     assert_eq!(steps.len(), 3);
     let name: Vec<Option<&str>> = steps.iter().map(|step| step.name.as_deref()).collect();
     assert_eq!(name, [Some("first"), None, None]);
-    let place: Vec<_> = steps
-        .iter()
-        .map(|s| (s.number, s.increment, s.increments))
-        .collect();
-    assert_eq!(place, [(0, 1, 1), (1, 1, 2), (1, 2, 2)]);
     let time: Vec<f64> = steps.iter().map(|step| step.time).collect();
     assert_eq!(time, [1.0, 1.5, 2.0]);
 
-    let amounts: Vec<_> = steps.iter().map(|step| &step.amounts).collect();
     // The push goes from half of its own value to a new one: by values.
-    let push: Vec<_> = amounts.iter().map(|a| a.tractions[0]).collect();
-    assert_eq!(
-        push,
-        [
-            Factor(0.5),
-            Value([0.0, 0.0, -1.75]),
-            Value([0.0, 0.0, -3.0])
-        ]
-    );
+    let push = [
+        Factor(0.5),
+        Vector([0.0, 0.0, -1.75]),
+        Vector([0.0, 0.0, -3.0]),
+    ];
+    assert_eq!(amounts(steps, "push"), push);
     // The wave goes from once to twice, by factors, for it varies.
-    let wave: Vec<_> = amounts.iter().map(|a| a.tractions[1]).collect();
-    assert_eq!(wave, [Factor(1.0), Factor(1.5), Factor(2.0)]);
-    let joint: Vec<_> = amounts.iter().map(|a| a.bounds[0]).collect();
-    assert_eq!(joint, [Factor(1.0), Factor(0.75), Factor(0.5)]);
+    let wave = [Factor(1.0), Factor(1.5), Factor(2.0)];
+    assert_eq!(amounts(steps, "wave"), wave);
+    let joint = [Factor(1.0), Factor(0.75), Factor(0.5)];
+    assert_eq!(amounts(steps, "joint"), joint);
     // Of the support one component gets a new value, the other stays.
-    let drag: Vec<_> = amounts.iter().map(|a| a.supports[0]).collect();
-    let held = |z| [Some(0.5), None, Some(z)];
-    assert_eq!(drag, [held(-0.25), held(0.375), held(1.0)]);
-    for step in &steps {
-        assert_eq!(step.amounts.gravities, [Factor(1.0)]);
-        assert_eq!(step.amounts.pressures, [Factor(1.0); 2]);
-        assert_eq!(step.amounts.supports[1], [None, Some(0.0), None]);
+    assert_eq!(drag(steps), [[0.5, -0.25], [0.5, 0.375], [0.5, 1.0]]);
+    for name in ["weight", "water", "wind"] {
+        assert_eq!(amounts(steps, name), [Factor(1.0); 3]);
     }
+}
+
+#[test]
+fn increments_are_named_after_their_step() {
+    let steps = read("[[step]]\nname = \"up\"\nincrements = 2\n");
+    let name: Vec<Option<&str>> = steps.iter().map(|step| step.name.as_deref()).collect();
+    let parts = ["up, increment 1 of 2", "up, increment 2 of 2"];
+    assert_eq!(name, parts.map(Some));
 }
 
 #[test]
@@ -91,15 +105,17 @@ fn the_first_increments_start_from_rest() {
     let time: Vec<f64> = steps.iter().map(|step| step.time).collect();
     assert_eq!(time, [0.25, 0.5, 0.75, 1.0]);
     for (step, t) in steps.iter().zip([0.25, 0.5, 0.75, 1.0]) {
-        let amounts = &step.amounts;
-        assert_eq!(amounts.supports[0], [Some(0.5 * t), None, Some(-0.25 * t)]);
-        assert_eq!(amounts.tractions, [Factor(t); 2]);
-        assert_eq!(amounts.pressures, [Factor(2.0 * t), Factor(t)]);
-        assert_eq!(amounts.body_forces, [Factor(t)]);
-        assert_eq!(amounts.gravities, [Factor(t)]);
+        let step = std::slice::from_ref(step);
+        assert_eq!(drag(step), [[0.5 * t, -0.25 * t]]);
+        for name in LOADS {
+            let factor = if name == "water" { 2.0 * t } else { t };
+            assert_eq!(amounts(step, name), [Factor(factor)]);
+        }
         // Slip bounds come from their own values, not from nothing.
-        assert_eq!(amounts.bounds[0], Factor(1.0 + 2.0 * t));
-        assert_eq!(amounts.bounds[1..], [Factor(1.0); 4]);
+        for name in CONTACTS {
+            let factor = if name == "joint" { 1.0 + 2.0 * t } else { 1.0 };
+            assert_eq!(amounts(step, name), [Factor(factor)]);
+        }
     }
 }
 
@@ -114,33 +130,34 @@ fn values_of_every_kind() {
         panic!("not two steps");
     };
     assert_eq!((first.time, second.time), (0.5, 1.5));
-    let amounts = &first.amounts;
-    assert_eq!(amounts.tractions, [Factor(1.0), Value([1.0, 2.0, 3.0])]);
-    assert_eq!(amounts.pressures, [Factor(1.0), Value(4.0)]);
-    assert_eq!(amounts.body_forces, [Value([5.0, 6.0, 7.0])]);
-    assert_eq!(amounts.gravities, [Value([8.0, 9.0, 10.0])]);
-    let one = Factor(1.0);
-    assert_eq!(amounts.bounds, [one, Factor(2.0), one, Value(11.0), one]);
-    assert_eq!(amounts.supports[0], [Some(12.0), None, Some(13.0)]);
+    for (name, amount) in [
+        ("push", Factor(1.0)),
+        ("wave", Vector([1.0, 2.0, 3.0])),
+        ("water", Factor(1.0)),
+        ("wind", Scalar(4.0)),
+        ("swirl", Vector([5.0, 6.0, 7.0])),
+        ("weight", Vector([8.0, 9.0, 10.0])),
+        ("joint", Factor(1.0)),
+        ("grain", Factor(2.0)),
+        ("rub", Factor(1.0)),
+        ("rail", Scalar(11.0)),
+        ("glue", Factor(1.0)),
+    ] {
+        assert_eq!(amounts(&steps[..1], name), [amount], "{name}");
+    }
+    assert_eq!(drag(&steps), [[12.0, 13.0], [1.5, -0.75]]);
     // A factor is one of the table's own value, not of the value before.
-    assert_eq!(second.amounts.tractions[1], Factor(0.5));
-    assert_eq!(second.amounts.supports[0], [Some(1.5), None, Some(-0.75)]);
-    assert_eq!(second.amounts.pressures[1], Value(4.0));
-}
-
-#[test]
-fn an_amount_of_its_own_value() {
-    assert_eq!(Factor(0.5).of([2.0, 4.0, 6.0]), [1.0, 2.0, 3.0]);
-    assert_eq!(Value(0.5).of(3.0), 0.5);
+    assert_eq!(amounts(&steps[1..], "wave"), [Factor(0.5)]);
+    assert_eq!(amounts(&steps[1..], "wind"), [Scalar(4.0)]);
 }
 
 /// Nothing is nothing of a formula, too; and a single increment needs no way.
 #[test]
 fn a_varying_load_may_grow_from_nothing_to_a_value() {
     let steps = read("[[step]]\nincrements = 2\nvalues = { wind = 4 }\n");
-    assert_eq!(steps[0].amounts.pressures[1], Value(2.0));
+    assert_eq!(amounts(&steps, "wind")[0], Scalar(2.0));
     let steps = read("[[step]]\n[[step]]\nvalues = { wind = 4 }\n");
-    assert_eq!(steps[1].amounts.pressures[1], Value(4.0));
+    assert_eq!(amounts(&steps, "wind")[1], Scalar(4.0));
 }
 
 #[test]

@@ -1,27 +1,23 @@
-//! Values at points, from a table in a file.
-
-use std::sync::Arc;
+//! Values at points, from a table in a file: a field may be given by one.
 
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
-use toml::Spanned;
 
-use super::check::Check;
-use super::error::{CaseError, FaultKind};
+use crate::error::{CaseError, FaultKind};
+use crate::reader::Reader;
+use crate::text::At;
 
 /// Values at points, read from a CSV file: everywhere else, the value of the nearest point holds.
-/// Cheap to clone.
-#[derive(Clone, Debug)]
-pub struct Samples {
-    file: Arc<str>,
+#[derive(Debug)]
+pub(crate) struct ValueTable {
     /// Row numbers with the points, so that the first of several nearest rows can be taken.
-    tree: Arc<RTree<GeomWithData<[f64; 3], usize>>>,
-    values: Arc<[f64]>,
+    tree: RTree<GeomWithData<[f64; 3], usize>>,
+    values: Vec<f64>,
 }
 
-impl Samples {
+impl ValueTable {
     /// Of points and their values; at least one, all finite.
-    fn new(file: &str, rows: Vec<([f64; 3], f64)>) -> Self {
+    fn new(rows: Vec<([f64; 3], f64)>) -> Self {
         let values = rows.iter().map(|(_, value)| *value).collect();
         let points = rows
             .into_iter()
@@ -29,25 +25,9 @@ impl Samples {
             .map(|(row, (point, _))| GeomWithData::new(point, row))
             .collect();
         Self {
-            file: file.into(),
-            tree: Arc::new(RTree::bulk_load(points)),
+            tree: RTree::bulk_load(points),
             values,
         }
-    }
-
-    /// The path of the file as the case file gives it.
-    pub fn file(&self) -> &str {
-        &self.file
-    }
-
-    /// Number of rows.
-    pub fn len(&self) -> usize {
-        self.values.len()
-    }
-
-    /// Whether there are no rows; never, of a case file that was read.
-    pub fn is_empty(&self) -> bool {
-        self.values.is_empty()
     }
 
     /// The value of the row whose point is nearest; of several, that of the first. NaN when the point
@@ -62,16 +42,19 @@ impl Samples {
     }
 }
 
-impl Check<'_> {
+impl Reader<'_> {
     /// Reads the table of a slip bound; `what` names the quantity in reports.
-    pub(super) fn samples(&self, what: &str, file: &Spanned<String>) -> Result<Samples, CaseError> {
+    pub(crate) fn value_table(
+        &self,
+        what: &str,
+        file: &At<String>,
+    ) -> Result<ValueTable, CaseError> {
         let fail = |message: String, label: String, help: String| -> CaseError {
             self.fault(FaultKind::BadFile, file.span(), message, label)
                 .with_help(help)
                 .into()
         };
-        let name = file.get_ref();
-        let path = self.beside(name);
+        let path = self.beside(file);
         let text = std::fs::read_to_string(&path).map_err(|error| {
             fail(
                 format!("cannot read `{}`", path.display()),
@@ -85,7 +68,7 @@ impl Check<'_> {
             _ => "x,y,z,value",
         };
         read_rows(&text, header, what)
-            .map(|rows| Samples::new(name, rows))
+            .map(|rows| ValueTable::new(rows))
             .map_err(|TableFault { line, fault, label }| {
                 fail(
                     format!("{}:{line}: {fault}", path.display()),

@@ -1,95 +1,91 @@
 //! Quantities that may vary over a body or a surface: a number, a formula, or values from a file.
 
-use toml::Spanned;
+use std::fmt;
+use std::sync::Arc;
 
-use super::check::Check;
-use super::entries::{FieldKeys, list_of_numbers};
-use super::error::{CaseError, FaultKind};
-use super::keys::Analysis;
-use super::samples::Samples;
-use super::source::Span;
+use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, MapAccess, Visitor};
+use tresca_contact::ScalarField;
+use tresca_model::VectorField;
+
+use crate::analysis::Analysis;
+use crate::error::{CaseError, FaultKind};
 use crate::expression::{Expression, VARIABLES};
+use crate::reader::Reader;
+use crate::source::Span;
+use crate::text::At;
 
-/// A quantity over a body or a surface.
+/// A field over a body or surface, as it stands in the text.
 #[derive(Clone, Debug)]
-pub enum Field {
-    /// The same everywhere; finite.
-    Constant(f64),
-    /// A formula that mentions at least one coordinate.
-    Expression(Expression),
-    /// Values at points.
-    Samples(Samples),
+pub(crate) enum FieldKeys {
+    /// The same everywhere.
+    Number(f64),
+    /// A formula.
+    Text(String),
+    /// A table of values in a file.
+    File(At<String>),
 }
 
-impl Field {
-    /// The value, where it is the same everywhere.
-    pub fn constant(&self) -> Option<f64> {
-        match self {
-            Field::Constant(value) => Some(*value),
-            Field::Expression(_) | Field::Samples(_) => None,
-        }
-    }
+/// `{ file = … }`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table `{ file = \"….csv\" }`")]
+struct FileKeys {
+    /// Path of the file, relative to the case file.
+    file: At<String>,
+}
 
-    /// The value at a point of the undeformed body. That of a formula may be NaN, infinite or of
-    /// the wrong sign: the caller checks, and reports the point.
-    pub fn at(&self, point: [f64; 3]) -> f64 {
-        match self {
-            Field::Constant(value) => *value,
-            Field::Expression(expression) => expression.at(point),
-            Field::Samples(samples) => samples.at(point),
-        }
+impl<'de> Deserialize<'de> for FieldKeys {
+    /// Not derived: an untagged enum forgets where its errors are.
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FieldVisitor)
     }
 }
 
-/// A vector over a body or a surface.
-#[derive(Clone, Debug)]
-pub struct VectorField {
-    /// The components along x, y and z, each with its place; in a plane case the last is 0 and its
-    /// place that of the whole.
-    pub components: [Spanned<Field>; 3],
-    /// Where the list stands.
-    pub span: Span,
-}
+struct FieldVisitor;
 
-impl VectorField {
-    /// The vector, where it is the same everywhere.
-    pub fn constant(&self) -> Option<[f64; 3]> {
-        let [x, y, z] = self
-            .components
-            .each_ref()
-            .map(|field| field.get_ref().constant());
-        Some([x?, y?, z?])
+impl<'de> Visitor<'de> for FieldVisitor {
+    type Value = FieldKeys;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, or an expression in quotes")
     }
 
-    /// The vector at a point, as [`Field::at`].
-    pub fn at(&self, point: [f64; 3]) -> [f64; 3] {
-        self.components
-            .each_ref()
-            .map(|field| field.get_ref().at(point))
+    fn visit_f64<E>(self, value: f64) -> Result<FieldKeys, E> {
+        Ok(FieldKeys::Number(value))
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<FieldKeys, E> {
+        Ok(FieldKeys::Text(text.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FieldKeys, A::Error> {
+        let keys = FileKeys::deserialize(MapAccessDeserializer::new(map))?;
+        Ok(FieldKeys::File(keys.file))
     }
 }
 
 /// What values a field may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     /// Any finite number; values from a file are not foreseen.
     Signed,
     /// 0 or more; values may come from a file.
     Bound,
 }
 
-impl Check<'_> {
+impl Reader<'_> {
     /// `what` names the quantity, as in "the slip bound"; `help` says what it is.
-    pub(super) fn field(
+    pub(crate) fn field(
         &self,
         what: &str,
         kind: Kind,
-        keys: &Spanned<FieldKeys>,
+        keys: &At<FieldKeys>,
         help: &str,
-    ) -> Result<Spanned<Field>, CaseError> {
+    ) -> Result<ScalarField, CaseError> {
         let span = keys.span();
-        let field = match keys.get_ref() {
-            FieldKeys::Number(value) => Field::Constant(*value),
+        let field = match &keys.value {
+            FieldKeys::Number(value) => ScalarField::Constant(*value),
             FieldKeys::Text(text) => {
                 let expression = self.expression(text, span.clone())?;
                 match expression.constant() {
@@ -106,8 +102,8 @@ impl Check<'_> {
                             )
                             .into());
                     }
-                    Some(value) => Field::Constant(value),
-                    None => Field::Expression(expression),
+                    Some(value) => ScalarField::Constant(value),
+                    None => ScalarField::Function(Arc::new(move |point| expression.at(point))),
                 }
             }
             FieldKeys::File(_) if kind == Kind::Signed => {
@@ -121,70 +117,47 @@ impl Check<'_> {
                     .with_help("slip bounds are the fields that may come from a file")
                     .into());
             }
-            FieldKeys::File(file) => Field::Samples(self.samples(what, file)?),
+            FieldKeys::File(file) => {
+                let table = self.value_table(what, file)?;
+                ScalarField::Function(Arc::new(move |point| table.at(point)))
+            }
         };
-        if let Field::Constant(value) = field {
-            let number = Spanned::new(span.clone(), value);
+        if let ScalarField::Constant(value) = field {
+            let number = At::new(span, value);
             match kind {
                 Kind::Signed => self.finite(what, &number)?,
                 Kind::Bound => self.not_negative(what, &number, help)?,
             };
         }
-        Ok(Spanned::new(span, field))
+        Ok(field)
     }
 
     /// As many components as the case has dimensions.
-    pub(super) fn vector_field(
+    pub(crate) fn vector_field(
         &self,
         what: &str,
-        keys: &Spanned<Vec<Spanned<FieldKeys>>>,
+        keys: &At<Vec<At<FieldKeys>>>,
     ) -> Result<VectorField, CaseError> {
         self.right_length(keys)?;
-        let mut components =
-            std::array::from_fn(|_| Spanned::new(keys.span(), Field::Constant(0.0)));
-        for (component, keys) in components.iter_mut().zip(keys.get_ref()) {
+        let mut components = std::array::from_fn(|_| ScalarField::Constant(0.0));
+        for (component, keys) in components.iter_mut().zip(&keys.value) {
             *component = self.field(what, Kind::Signed, keys, "")?;
         }
-        Ok(VectorField {
-            components,
-            span: keys.span(),
+        Ok(match &components {
+            [
+                ScalarField::Constant(x),
+                ScalarField::Constant(y),
+                ScalarField::Constant(z),
+            ] => VectorField::Constant([*x, *y, *z]),
+            _ => VectorField::Function(Arc::new(move |point| {
+                components.each_ref().map(|field| match field {
+                    ScalarField::Constant(value) => *value,
+                    ScalarField::Function(function) => function(point),
+                    // No key gives any.
+                    ScalarField::Values(_) => f64::NAN,
+                })
+            })),
         })
-    }
-
-    /// As [`Check::vector_field`], for vectors that do not vary.
-    pub(super) fn vector(
-        &self,
-        what: &str,
-        keys: &Spanned<Vec<Spanned<f64>>>,
-    ) -> Result<[f64; 3], CaseError> {
-        self.right_length(keys)?;
-        let mut vector = [0.0; 3];
-        for (component, value) in vector.iter_mut().zip(keys.get_ref()) {
-            *component = self.finite(what, value)?;
-        }
-        Ok(vector)
-    }
-
-    fn right_length<T>(&self, list: &Spanned<Vec<T>>) -> Result<(), CaseError> {
-        let (expected, found) = (self.analysis.dimension(), list.get_ref().len());
-        if found == expected {
-            return Ok(());
-        }
-        Err(self
-            .fault(
-                FaultKind::WrongType,
-                list.span(),
-                "a list of the wrong length",
-                format!(
-                    "expected {}, found {found} entries",
-                    list_of_numbers(expected)
-                ),
-            )
-            .with_help(format!(
-                "`analysis = \"{}\"` has {expected} coordinates",
-                self.analysis.word()
-            ))
-            .into())
     }
 
     /// A formula, checked for coordinates that the case does not have.
