@@ -141,7 +141,7 @@ fn impossible_loads_are_refused() {
     assert!(refused(nan).contains("must be finite"));
     let nowhere = Force::new([1.0, 0.0, 0.0]).on("heavy.left");
     assert!(refused(nowhere).contains("no surface `left`"));
-    let values = Pressure::new(Field::Values(vec![1.0])).on("heavy.x-");
+    let values = Pressure::new(ScalarField::Values(vec![1.0])).on("heavy.x-");
     assert!(refused(values).contains("a constant or a function"));
 }
 
