@@ -39,6 +39,7 @@ pub mod memory;
 mod outcome;
 pub mod output;
 mod pair_state;
+pub mod prelude;
 mod reactions;
 mod solve;
 mod summary;
