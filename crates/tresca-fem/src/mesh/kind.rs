@@ -1,6 +1,6 @@
 //! The kinds of cells.
 
-use crate::FemError;
+use crate::error::FemError;
 use std::fmt;
 use std::str::FromStr;
 
