@@ -21,6 +21,7 @@ mod elevate;
 pub(crate) mod geometry;
 mod grid;
 pub(crate) mod kind;
+mod kind_names;
 pub(crate) mod parts;
 mod quality;
 pub(crate) mod rectangle;
