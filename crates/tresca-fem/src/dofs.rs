@@ -1,7 +1,8 @@
 //! Numbering of the free degrees of freedom, and what the others make of them.
 
-use crate::FemError;
-use crate::constraints::{Elimination, Equation, ResolvedRow};
+use crate::constraints::elimination::{Elimination, ResolvedRow};
+use crate::constraints::equation::Equation;
+use crate::error::FemError;
 use crate::supports::Supports;
 use std::sync::Arc;
 

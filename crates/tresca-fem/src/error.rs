@@ -1,7 +1,8 @@
 //! The one error type of the crate.
 
-use crate::constraints::Dof;
-use crate::mesh::{CellKind, Space};
+use crate::constraints::equation::Dof;
+use crate::mesh::kind::CellKind;
+use crate::mesh::space::Space;
 
 /// What can be wrong with a mesh, a material, a support or a load.
 ///

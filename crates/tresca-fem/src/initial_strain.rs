@@ -10,8 +10,8 @@
 //! at. With B-bar strains its volume change is the mean over the cell, like that of the displacement: otherwise a
 //! temperature that varies in a cell would press on itself.
 
-use crate::FemError;
-use crate::mesh::Mesh;
+use crate::error::FemError;
+use crate::mesh::data::Mesh;
 
 /// An initial strain ε⁰, in the order xx, yy, zz, γxy, γyz, γxz.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,7 +106,7 @@ fn check(per: &'static str, expected: usize, given: usize, finite: usize) -> Res
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{BrickSpec, brick};
+    use crate::mesh::brick::{BrickSpec, brick};
 
     #[test]
     fn values_that_do_not_fit_are_refused() {

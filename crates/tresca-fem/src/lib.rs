@@ -33,12 +33,12 @@ mod error;
 pub mod initial_strain;
 pub mod loads;
 pub mod material;
+mod matrix3;
 pub mod mesh;
 pub mod quadrature;
 pub mod rigid;
 pub mod stress;
 pub mod supports;
-mod tensor;
 pub mod vector3;
 
 pub use error::FemError;

@@ -3,7 +3,9 @@
 //! A load is a vector over the full dofs. Its entries are forces: per unit thickness in the plane, of
 //! the full circumference in an axisymmetric space (where the given vectors are radial, axial).
 
-use crate::mesh::{Face, FaceTables, Mesh, Space};
+use crate::mesh::data::{Face, Mesh};
+use crate::mesh::geometry::FaceTables;
+use crate::mesh::space::Space;
 use crate::vector3::{cross, norm, sub};
 
 /// f_a = ∫ φ_a t dΓ for a constant traction t (force per area) on some faces.
@@ -147,7 +149,9 @@ pub fn resultant(mesh: &Mesh, load: &[f64], about: [f64; 3]) -> Resultant {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{BrickSpec, CellKind, RectangleSpec, brick, rectangle};
+    use crate::mesh::brick::{BrickSpec, brick};
+    use crate::mesh::kind::CellKind;
+    use crate::mesh::rectangle::{RectangleSpec, rectangle};
 
     fn block() -> Mesh {
         brick(&BrickSpec {

@@ -1,7 +1,7 @@
 //! Elastic materials.
 
-use crate::FemError;
-use crate::mesh::Space;
+use crate::error::FemError;
+use crate::mesh::space::Space;
 
 /// Isotropic linear elasticity: σ = λ tr(ε) I + 2μ ε.
 ///

@@ -1,6 +1,6 @@
 //! Which displacement components are prescribed, and to what.
 
-use crate::FemError;
+use crate::error::FemError;
 
 /// Prescribed displacements of one body, component by component.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use tresca_fem::mesh::Mesh;
 
+use super::contact_pair::ContactPair;
 use super::mobility::{Mobility, restrained_frame};
-use crate::data::ContactPair;
 use crate::error::ContactError;
 use crate::frame::Frame;
 use crate::interface::Interface;

@@ -1,7 +1,8 @@
 //! A contiguous range of the matrix's columns, and its pattern.
 
 use crate::dofs::DofMap;
-use crate::mesh::{Incidence, Mesh};
+use crate::mesh::data::Mesh;
+use crate::mesh::topology::Incidence;
 use std::ops::Range;
 
 /// The columns of the free dofs of a range of nodes.

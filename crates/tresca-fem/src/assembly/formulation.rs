@@ -1,9 +1,12 @@
 //! How strains are made of displacements, and when that locks.
 
-use crate::FemError;
-use crate::element::{ShapeTable, measure, physical_gradients};
+use crate::element::mapping::{measure, physical_gradients};
+use crate::element::table::ShapeTable;
+use crate::error::FemError;
 use crate::material::Isotropic;
-use crate::mesh::{CellKind, Mesh, Space};
+use crate::mesh::data::Mesh;
+use crate::mesh::kind::CellKind;
+use crate::mesh::space::Space;
 use std::fmt;
 use std::str::FromStr;
 
@@ -141,7 +144,7 @@ pub(crate) fn mean_dilatation(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{BrickSpec, brick};
+    use crate::mesh::brick::{BrickSpec, brick};
 
     fn cube(kind: CellKind) -> Mesh {
         let spec = BrickSpec {

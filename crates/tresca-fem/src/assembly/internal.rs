@@ -1,14 +1,17 @@
 //! Internal forces of a displacement: the action of the whole K, without the matrix.
 
-use super::Elastic;
 use super::formulation::{Formulation, mean_dilatation, mean_gradients};
+use super::stiffness::Elastic;
 use super::strain::{elastic, nodal_force, strain, with_dilatation};
-use crate::FemError;
 use crate::dofs::DofMap;
-use crate::element::{ShapeTable, physical_gradients};
+use crate::element::mapping::physical_gradients;
+use crate::element::table::ShapeTable;
+use crate::error::FemError;
 use crate::initial_strain::InitialStrain;
 use crate::material::Isotropic;
-use crate::mesh::{CellBlock, Mesh, Space, gather_points};
+use crate::mesh::data::{CellBlock, Mesh};
+use crate::mesh::geometry::gather_points;
+use crate::mesh::space::Space;
 use rayon::prelude::*;
 
 /// ∫ Bᵀσ dΩ over *all* dofs, prescribed ones included, for a displacement `u` over the full dofs: K u without

@@ -1,9 +1,11 @@
 //! Integration over one cell.
 
-use super::Formulation;
-use crate::element::{ShapeTable, interpolate, inverse_jacobian};
+use super::formulation::Formulation;
+use crate::element::mapping::inverse_jacobian;
+use crate::element::table::{ShapeTable, interpolate};
 use crate::material::Isotropic;
-use crate::mesh::{CellKind, Space};
+use crate::mesh::kind::CellKind;
+use crate::mesh::space::Space;
 
 /// Index pairs i ≤ j of the six stored gradient products.
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2)];

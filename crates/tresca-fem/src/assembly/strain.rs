@@ -2,7 +2,7 @@
 //!
 //! Both take the gradients that [`crate::element::physical_gradients`] writes.
 
-use crate::mesh::Space;
+use crate::mesh::space::Space;
 
 /// Strain xx, yy, zz, γxy, γyz, γxz of the displacements `u` (full dofs) at a point with the given
 /// gradients; in an axisymmetric space zz is the hoop strain u_r/r.

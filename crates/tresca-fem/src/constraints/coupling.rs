@@ -1,10 +1,11 @@
 //! Nodes coupled to the motion of one point.
 
-use super::{Dof, Equation};
-use crate::FemError;
-use crate::mesh::{Mesh, Space};
+use super::equation::{Dof, Equation};
+use crate::error::FemError;
+use crate::matrix3::{determinant, inverse_rows};
+use crate::mesh::data::Mesh;
+use crate::mesh::space::Space;
 use crate::supports::Supports;
-use crate::tensor::{determinant, inverse_rows};
 use crate::vector3::{cross, sub};
 
 /// A point that moves like a rigid body: a displacement and a (small) rotation, on two nodes beyond the mesh.

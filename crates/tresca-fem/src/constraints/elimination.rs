@@ -8,8 +8,8 @@
 //! equations; these go when the rows are resolved, last to first. L and R are kept: the multipliers of the
 //! equations are the solution of A_Dᵀμ = r_D = R_Dᵀ Lᵀ μ.
 
-use super::Equation;
-use crate::FemError;
+use super::equation::Equation;
+use crate::error::FemError;
 use crate::supports::Supports;
 use std::collections::{BTreeMap, BTreeSet};
 

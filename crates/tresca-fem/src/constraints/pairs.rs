@@ -1,8 +1,8 @@
 //! Nodes that are images of each other: periodic and cyclic faces, the two sides of a cut.
 
-use super::{Dof, Equation};
-use crate::FemError;
-use crate::mesh::Mesh;
+use super::equation::{Dof, Equation};
+use crate::error::FemError;
+use crate::mesh::data::Mesh;
 use crate::vector3::{cross, dot, norm, sub};
 
 /// Images count as one place up to this part of the size of the box around the mesh.

@@ -1,10 +1,15 @@
 //! What every element must satisfy, in one call.
 
-use super::{Element, ShapeTable, interpolate, jacobian, orientation};
-use crate::assembly::{Formulation, stiffness};
+use super::mapping::orientation;
+use super::reference::Element;
+use super::table::{ShapeTable, interpolate, jacobian};
+use crate::assembly::formulation::Formulation;
+use crate::assembly::stiffness::stiffness;
 use crate::dofs::DofMap;
 use crate::material::Isotropic;
-use crate::mesh::{CellBlock, CellKind, Face, Mesh, Space};
+use crate::mesh::data::{CellBlock, Face, Mesh};
+use crate::mesh::kind::CellKind;
+use crate::mesh::space::Space;
 use crate::quadrature::{Rule, gauss_cube, gauss_line, gauss_square, tetrahedron, triangle, wedge};
 use std::collections::BTreeMap;
 
@@ -217,8 +222,8 @@ fn physical(kind: CellKind, points: &[[f64; 3]], xi: [f64; 3]) -> Vec<[f64; 3]> 
     for (j, column) in columns.iter_mut().enumerate().skip(kind.dimension()) {
         column[j] = 1.0;
     }
-    let det = crate::tensor::determinant(&columns);
-    let rows = crate::tensor::inverse_rows(&columns, det);
+    let det = crate::matrix3::determinant(&columns);
+    let rows = crate::matrix3::inverse_rows(&columns, det);
     reference
         .iter()
         .map(|g| std::array::from_fn(|i| (0..kind.dimension()).map(|j| g[j] * rows[j][i]).sum()))

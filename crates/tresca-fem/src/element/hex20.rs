@@ -1,8 +1,9 @@
 //! The quadratic serendipity hexahedron.
 
 use super::nodes::with_means;
-use super::{Element, ReferenceFace, hex8, serendipity};
-use crate::mesh::CellKind;
+use super::reference::{Element, ReferenceFace};
+use super::{hex8, serendipity};
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, gauss_cube};
 
 /// Cube [−1, 1]³; corners and faces like [`super::Hex8`]'s, then the middles of the bottom's edges

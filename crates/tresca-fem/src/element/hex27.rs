@@ -1,8 +1,9 @@
 //! The triquadratic hexahedron.
 
 use super::nodes::with_means;
-use super::{Element, ReferenceFace, hex20, lagrange};
-use crate::mesh::CellKind;
+use super::reference::{Element, ReferenceFace};
+use super::{hex20, lagrange};
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, gauss_cube};
 
 /// Cube [−1, 1]³; corners, edge middles and faces like [`super::Hex20`]'s, then the centres of the

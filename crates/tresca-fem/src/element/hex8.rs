@@ -1,7 +1,7 @@
 //! The trilinear hexahedron.
 
-use super::{Element, ReferenceFace};
-use crate::mesh::CellKind;
+use super::reference::{Element, ReferenceFace};
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, gauss_cube};
 
 /// Cube [−1, 1]³; nodes 0–3 counter-clockwise on the bottom ζ = −1 from (−1, −1),

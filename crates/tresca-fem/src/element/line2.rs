@@ -1,6 +1,6 @@
 //! The two-node line, the edge of plane elements.
 
-use super::{Element, ReferenceFace};
+use super::reference::{Element, ReferenceFace};
 use crate::quadrature::{Rule, gauss_line};
 
 /// Line [−1, 1] with nodes at its ends.

@@ -1,6 +1,7 @@
 //! The three-node line, the edge of quadratic plane elements.
 
-use super::{Element, ReferenceFace, lagrange};
+use super::lagrange;
+use super::reference::{Element, ReferenceFace};
 use crate::quadrature::{Rule, gauss_line};
 
 /// Line [−1, 1] with nodes at its ends, then its middle.

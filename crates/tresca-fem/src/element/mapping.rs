@@ -1,8 +1,8 @@
 //! The map from the reference element to a cell, and its inverse.
 
-use super::{ShapeTable, interpolate, jacobian};
-use crate::mesh::Space;
-use crate::tensor::{determinant, inverse_rows};
+use super::table::{ShapeTable, interpolate, jacobian};
+use crate::matrix3::{determinant, inverse_rows};
+use crate::mesh::space::Space;
 use crate::vector3::norm;
 
 /// det J counts as zero below this fraction of its largest possible value, ∏ ‖∂x/∂ξ_j‖, and when one

@@ -1,7 +1,7 @@
 //! The bilinear quadrilateral, the face of [`super::Hex8`].
 
-use super::{Element, ReferenceFace};
-use crate::mesh::CellKind;
+use super::reference::{Element, ReferenceFace};
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, gauss_square};
 
 /// Square [−1, 1]², corners counter-clockwise from (−1, −1).

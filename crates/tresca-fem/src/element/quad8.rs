@@ -1,8 +1,9 @@
 //! The quadratic serendipity quadrilateral, also the face of [`super::Hex20`].
 
 use super::nodes::with_means;
-use super::{Element, ReferenceFace, quad4, serendipity};
-use crate::mesh::CellKind;
+use super::reference::{Element, ReferenceFace};
+use super::{quad4, serendipity};
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, gauss_square};
 
 /// Square [−1, 1]²; corners like [`super::Quad4`]'s, then the middles of the edges 0–1, 1–2, 2–3,

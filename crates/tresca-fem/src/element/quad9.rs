@@ -1,7 +1,8 @@
 //! The biquadratic quadrilateral, also the face of [`super::Hex27`].
 
 use super::nodes::with_means;
-use super::{Element, ReferenceFace, lagrange, quad8};
+use super::reference::{Element, ReferenceFace};
+use super::{lagrange, quad8};
 use crate::quadrature::{Rule, gauss_square};
 
 /// Square [−1, 1]²; corners and edge middles like [`super::Quad8`]'s, then the centre.

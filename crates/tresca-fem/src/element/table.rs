@@ -1,6 +1,6 @@
 //! Shape functions tabulated at the points of a rule, once per element kind.
 
-use crate::mesh::CellKind;
+use crate::mesh::kind::CellKind;
 use crate::quadrature::Rule;
 
 /// φ_a and ∂φ_a/∂ξ at every point q of a rule.

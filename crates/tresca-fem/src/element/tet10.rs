@@ -1,9 +1,10 @@
 //! The quadratic tetrahedron.
 
 use super::nodes::with_means;
+use super::reference::{Element, ReferenceFace};
 use super::simplex::{quadratic_gradients, quadratic_shape};
-use super::{Element, ReferenceFace, tet4};
-use crate::mesh::CellKind;
+use super::tet4;
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, tetrahedron};
 
 /// Tetrahedron ξ, η, ζ ≥ 0, ξ + η + ζ ≤ 1; corners and faces like [`super::Tet4`]'s, then the middles

@@ -1,8 +1,8 @@
 //! The linear tetrahedron.
 
+use super::reference::{Element, ReferenceFace};
 use super::simplex::{barycentric, barycentric_gradient};
-use super::{Element, ReferenceFace};
-use crate::mesh::CellKind;
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, tetrahedron};
 
 /// Tetrahedron ξ, η, ζ ≥ 0, ξ + η + ζ ≤ 1; corners (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1).

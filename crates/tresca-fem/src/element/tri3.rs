@@ -1,7 +1,7 @@
 //! The linear triangle.
 
-use super::{Element, ReferenceFace};
-use crate::mesh::CellKind;
+use super::reference::{Element, ReferenceFace};
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, triangle};
 
 /// Triangle ξ, η ≥ 0, ξ + η ≤ 1; corners (0, 0), (1, 0), (0, 1).

@@ -1,9 +1,10 @@
 //! The quadratic triangle, also the face of [`super::Tet10`].
 
 use super::nodes::with_means;
+use super::reference::{Element, ReferenceFace};
 use super::simplex::{quadratic_gradients, quadratic_shape};
-use super::{Element, ReferenceFace, tri3};
-use crate::mesh::CellKind;
+use super::tri3;
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, triangle};
 
 /// Triangle ξ, η ≥ 0, ξ + η ≤ 1; corners like [`super::Tri3`]'s, then the middles of the edges 0–1,

@@ -1,8 +1,8 @@
 //! The linear wedge (triangular prism), with faces of two kinds.
 
+use super::reference::{Element, ReferenceFace};
 use super::simplex::{barycentric, barycentric_gradient};
-use super::{Element, ReferenceFace};
-use crate::mesh::CellKind;
+use crate::mesh::kind::CellKind;
 use crate::quadrature::{Rule, wedge};
 
 /// Triangle ξ, η ≥ 0, ξ + η ≤ 1 times line −1 ≤ ζ ≤ 1; nodes 0–2 on the bottom ζ = −1, nodes 3–5

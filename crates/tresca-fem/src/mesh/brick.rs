@@ -1,7 +1,10 @@
 //! The structured brick of hexahedra.
 
-use super::{CellBlock, CellKind, Face, Mesh, Space, grid};
-use crate::FemError;
+use super::data::{CellBlock, Face, Mesh};
+use super::grid;
+use super::kind::CellKind;
+use super::space::Space;
+use crate::error::FemError;
 use std::collections::BTreeMap;
 
 /// An axis-parallel box divided into equal hexahedra.

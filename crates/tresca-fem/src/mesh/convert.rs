@@ -1,7 +1,8 @@
 //! The same body in cells of another kind.
 
-use super::{CellKind, Mesh};
-use crate::FemError;
+use super::data::Mesh;
+use super::kind::CellKind;
+use crate::error::FemError;
 
 impl Mesh {
     /// The same body in cells of another kind, so that a structured mesh serves every element:
@@ -49,7 +50,10 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{BrickSpec, Face, RectangleSpec, Space, brick, rectangle};
+    use crate::mesh::brick::{BrickSpec, brick};
+    use crate::mesh::data::Face;
+    use crate::mesh::rectangle::{RectangleSpec, rectangle};
+    use crate::mesh::space::Space;
 
     fn block() -> Mesh {
         let spec = BrickSpec {

@@ -1,7 +1,8 @@
 //! Cells cut into simpler ones.
 
-use super::{Cell, CellBlock, CellKind, Face, Mesh};
-use crate::FemError;
+use super::data::{Cell, CellBlock, Face, Mesh};
+use super::kind::CellKind;
+use crate::error::FemError;
 
 /// The nodes of the two triangles of a quadrilateral on both sides of the diagonal from `corner`.
 fn halves(quad: &[usize], corner: usize) -> [[usize; 3]; 2] {

@@ -1,6 +1,6 @@
 //! Nodes at one place.
 
-use super::Mesh;
+use super::data::Mesh;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
@@ -33,7 +33,7 @@ impl Mesh {
 
 #[cfg(test)]
 mod tests {
-    use crate::mesh::{BrickSpec, brick};
+    use crate::mesh::brick::{BrickSpec, brick};
 
     #[test]
     fn nodes_at_one_place_are_paired() {

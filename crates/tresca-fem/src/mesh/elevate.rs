@@ -1,7 +1,8 @@
 //! Quadratic cells out of linear ones.
 
-use super::{CellKind, Mesh};
-use crate::element::corners_of_nodes;
+use super::data::Mesh;
+use super::kind::CellKind;
+use crate::element::kinds::corners_of_nodes;
 use std::collections::HashMap;
 
 /// Cells share the nodes amid two or four corners; the node amid eight is a cell's own.

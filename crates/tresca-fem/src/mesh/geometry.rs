@@ -1,8 +1,10 @@
 //! Measures of a mesh: volumes, area vectors, bounds.
 
-use super::{CellKind, Face, Mesh, Space};
-use crate::element::{ShapeTable, interpolate, jacobian};
-use crate::tensor::determinant;
+use super::data::{Face, Mesh};
+use super::kind::CellKind;
+use super::space::Space;
+use crate::element::table::{ShapeTable, interpolate, jacobian};
+use crate::matrix3::determinant;
 use crate::vector3::{cross, norm};
 
 /// The smallest axis-parallel box around a mesh.
@@ -203,9 +205,11 @@ impl<'a> FaceTables<'a> {
 
 #[cfg(test)]
 mod tests {
-    use crate::mesh::{
-        BrickSpec, CellBlock, CellKind, Mesh, RectangleSpec, Space, brick, rectangle,
-    };
+    use crate::mesh::brick::{BrickSpec, brick};
+    use crate::mesh::data::{CellBlock, Mesh};
+    use crate::mesh::kind::CellKind;
+    use crate::mesh::rectangle::{RectangleSpec, rectangle};
+    use crate::mesh::space::Space;
     use std::collections::BTreeMap;
 
     #[test]

@@ -1,6 +1,6 @@
 //! What the structured meshes share: checked bounds, and coordinates that neighbours agree on.
 
-use crate::FemError;
+use crate::error::FemError;
 
 /// Checks bounds and node counts along each axis.
 pub(super) fn check(min: &[f64], max: &[f64], nodes: &[usize]) -> Result<(), FemError> {

@@ -1,8 +1,6 @@
 //! The kinds of cells.
 
-use crate::FemError;
 use std::fmt;
-use std::str::FromStr;
 
 /// Kinds of cells and of their faces; nodes and faces are numbered like VTK's (see the elements in
 /// [`crate::element`]).
@@ -101,36 +99,5 @@ impl CellKind {
 impl fmt::Display for CellKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
-    }
-}
-
-/// By [`CellKind::name`].
-impl FromStr for CellKind {
-    type Err = FemError;
-
-    fn from_str(name: &str) -> Result<Self, FemError> {
-        let found = CellKind::ALL.into_iter().find(|kind| kind.name() == name);
-        found.ok_or_else(|| FemError::UnknownCellKind {
-            name: name.to_owned(),
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_read_back() {
-        for kind in CellKind::ALL {
-            assert_eq!(kind.to_string().parse(), Ok(kind));
-            let digits = kind.name().trim_start_matches(|c: char| c.is_alphabetic());
-            assert_eq!(digits.parse(), Ok(kind.node_count()));
-        }
-        let error = "hex9".parse::<CellKind>().unwrap_err().to_string();
-        assert!(
-            error.contains("hex9") && error.contains("hex8, hex20"),
-            "{error}"
-        );
     }
 }

@@ -1,7 +1,8 @@
 //! The connected parts of a mesh.
 
+use super::data::Mesh;
 use super::disjoint_sets::DisjointSets;
-use super::{BoundingBox, Mesh};
+use super::geometry::BoundingBox;
 
 /// A connected part of a mesh: nodes that are linked through cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,7 +43,7 @@ impl Mesh {
 
 #[cfg(test)]
 mod tests {
-    use crate::mesh::{BrickSpec, brick};
+    use crate::mesh::brick::{BrickSpec, brick};
 
     #[test]
     fn parts_are_ordered_by_their_lowest_nodes() {

@@ -1,8 +1,11 @@
 //! The shape of cells: which of them cannot be integrated, and why.
 
-use super::{CellKind, Mesh, gather_points};
-use crate::FemError;
-use crate::element::{Orientation, ShapeTable, orientation};
+use super::data::Mesh;
+use super::geometry::gather_points;
+use super::kind::CellKind;
+use crate::element::mapping::{Orientation, orientation};
+use crate::element::table::ShapeTable;
+use crate::error::FemError;
 
 /// Both rules of a kind: whatever is integrated, it is at these points.
 fn tables(kind: CellKind) -> [ShapeTable; 2] {
@@ -85,8 +88,10 @@ impl Mesh {
 
 #[cfg(test)]
 mod tests {
-    use crate::FemError;
-    use crate::mesh::{BrickSpec, CellKind, Mesh, brick};
+    use crate::error::FemError;
+    use crate::mesh::brick::{BrickSpec, brick};
+    use crate::mesh::data::Mesh;
+    use crate::mesh::kind::CellKind;
 
     fn bar(kind: CellKind) -> Mesh {
         let spec = BrickSpec {

@@ -1,6 +1,6 @@
 //! A mesh of some of the cells.
 
-use super::{CellBlock, Face, Mesh};
+use super::data::{CellBlock, Face, Mesh};
 
 /// Marks a node or a cell that is left out.
 const LEFT_OUT: usize = usize::MAX;
@@ -76,7 +76,9 @@ impl Mesh {
 
 #[cfg(test)]
 mod tests {
-    use crate::mesh::{BrickSpec, CellBlock, CellKind, Face, brick};
+    use crate::mesh::brick::{BrickSpec, brick};
+    use crate::mesh::data::{CellBlock, Face};
+    use crate::mesh::kind::CellKind;
 
     #[test]
     fn a_part_keeps_its_sets() {

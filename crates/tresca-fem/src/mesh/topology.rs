@@ -1,6 +1,6 @@
 //! Who touches whom: cells around a node, faces on the boundary.
 
-use super::{Face, Mesh};
+use super::data::{Face, Mesh};
 use rayon::prelude::*;
 
 /// The cells around every node.
@@ -126,7 +126,9 @@ impl FaceLookup {
 #[cfg(test)]
 mod tests {
     use super::FaceLookup;
-    use crate::mesh::{BrickSpec, CellKind, Face, brick};
+    use crate::mesh::brick::{BrickSpec, brick};
+    use crate::mesh::data::Face;
+    use crate::mesh::kind::CellKind;
 
     #[test]
     fn faces_are_found_by_their_corners() {

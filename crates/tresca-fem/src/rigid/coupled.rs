@@ -5,9 +5,11 @@
 //! their combinations the supports and the equations allow is the kernel of CᵀKC.
 
 use super::free::{FreeMotion, Piece};
-use super::{RigidMotion, combine, motions};
+use super::motion::{RigidMotion, combine, motions};
 use crate::dofs::DofMap;
-use crate::mesh::{DisjointSets, Mesh, Part};
+use crate::mesh::data::Mesh;
+use crate::mesh::disjoint_sets::DisjointSets;
+use crate::mesh::parts::Part;
 use faer::{Mat, Side};
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Rigid motions that supports leave to the parts of a mesh.
 
-use super::RigidMotion;
-use crate::mesh::Mesh;
+use super::motion::RigidMotion;
+use crate::mesh::data::Mesh;
 use std::fmt;
 use std::sync::Arc;
 

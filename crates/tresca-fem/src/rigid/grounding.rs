@@ -1,11 +1,12 @@
 //! A generalised inverse of a singular stiffness matrix by a support that changes nothing.
 
-use super::FreeMotion;
-use crate::assembly::sum_of_columns;
+use super::free::FreeMotion;
+use crate::assembly::sum::sum_of_columns;
 use crate::dofs::DofMap;
 use crate::material::Isotropic;
-use crate::mesh::{Mesh, Space};
-use crate::tensor::symmetric_eigen;
+use crate::matrix3::symmetric_eigen;
+use crate::mesh::data::Mesh;
+use crate::mesh::space::Space;
 use crate::vector3::{dot, sub};
 use faer::{Mat, Side};
 use tresca_la::SymmetricMatrix;

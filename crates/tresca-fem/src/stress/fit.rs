@@ -1,7 +1,7 @@
 //! Polynomials through the stresses of a patch, by least squares.
 
-use super::StressSample;
-use crate::tensor::symmetric_eigen;
+use super::sample::StressSample;
+use crate::matrix3::symmetric_eigen;
 use crate::vector3::{dot, sub};
 
 /// A direction of the fit is dropped when it would magnify errors of the samples more than this (as a

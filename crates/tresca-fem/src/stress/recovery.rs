@@ -14,12 +14,14 @@
 //! reaches one layer of cells further in instead.
 
 use super::fit::Fit;
-use super::{StressSample, samples};
-use crate::assembly::Formulation;
-use crate::element::corners_of_nodes;
+use super::sample::{StressSample, samples};
+use crate::assembly::formulation::Formulation;
+use crate::element::kinds::corners_of_nodes;
 use crate::initial_strain::InitialStrain;
 use crate::material::Isotropic;
-use crate::mesh::{CellKind, Incidence, Mesh};
+use crate::mesh::data::Mesh;
+use crate::mesh::kind::CellKind;
+use crate::mesh::topology::Incidence;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
