@@ -218,16 +218,32 @@ impl FrictionLaw {
         matches!(self, FrictionLaw::Coulomb { .. })
     }
 
+    /// The words for the laws, by [`FrictionLaw::number`]: the one list of them. Numbers stand in output files;
+    /// a new law comes last.
+    pub const NAMES: [&'static str; 6] = [
+        "frictionless",
+        "tresca",
+        "orthotropic",
+        "coulomb",
+        "tied",
+        "bilateral",
+    ];
+
+    /// The number of the law in [`FrictionLaw::NAMES`].
+    pub fn number(&self) -> u8 {
+        match self {
+            FrictionLaw::Frictionless => 0,
+            FrictionLaw::Tresca { .. } => 1,
+            FrictionLaw::Orthotropic { .. } => 2,
+            FrictionLaw::Coulomb { .. } => 3,
+            FrictionLaw::Tied => 4,
+            FrictionLaw::Bilateral { .. } => 5,
+        }
+    }
+
     /// The word for it.
     pub fn name(&self) -> &'static str {
-        match self {
-            FrictionLaw::Frictionless => "frictionless",
-            FrictionLaw::Tresca { .. } => "tresca",
-            FrictionLaw::Orthotropic { .. } => "orthotropic",
-            FrictionLaw::Coulomb { .. } => "coulomb",
-            FrictionLaw::Tied => "tied",
-            FrictionLaw::Bilateral { .. } => "bilateral",
-        }
+        Self::NAMES[usize::from(self.number())]
     }
 
     /// What the pair may do along its normal.
