@@ -8,7 +8,7 @@ use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use tresca::output::Destination;
-use tresca::{PairState, Run, StepOutcome, Summary};
+use tresca::{PairState, Run, RunReport, StepOutcome};
 
 use crate::errors::{self, OutputError};
 use crate::observer::Observer;
@@ -86,7 +86,7 @@ pub struct Outcome {
 impl Outcome {
     /// What `summary.json` holds.
     fn summary(&self) -> PyResult<String> {
-        json(&Summary::new(&self.case.model, &self.outcome, 0.0))
+        json(&RunReport::of_model(&self.case.model, &self.outcome))
     }
 
     /// The result files of the command line.

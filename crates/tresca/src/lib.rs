@@ -48,10 +48,8 @@ pub mod memory;
 mod outcome;
 pub mod output;
 pub mod progress;
-mod reactions;
+pub mod report;
 mod solve;
-mod summary;
-mod surface_fields;
 pub mod two_bricks;
 
 pub use certificate::Certificate;
@@ -60,12 +58,11 @@ pub use error::SolveError;
 pub use floating::{Floating, UnresistedMotion};
 pub use layout::Layout;
 pub use load_step::Acting;
+pub use outcome::surface_fields::SurfaceFields;
 pub use outcome::{Outcome, PairState, StepOutcome, Times};
 pub use progress::{Progress, Silent, Stage};
-pub use reactions::SupportReaction;
+pub use report::RunReport;
 pub use solve::{Description, Prepared, Run, prepare, solve};
-pub use summary::Summary;
-pub use surface_fields::SurfaceFields;
 pub use tresca_model::{self as model, Model, ModelError, SurfaceRef};
 pub use two_bricks::two_bricks;
 

@@ -18,10 +18,10 @@ use crate::floating::unresisted;
 use crate::layout::Layout;
 use crate::load_step::{Acting, acting};
 use crate::model::Step;
+use crate::outcome::reactions::nodal_reactions;
+use crate::outcome::surface_fields::SurfaceFields;
 use crate::outcome::{Outcome, StepOutcome, Times, pair_states};
 use crate::progress::{Progress, Stage};
-use crate::reactions::nodal_reactions;
-use crate::surface_fields::SurfaceFields;
 use crate::{Model, SolveError, memory};
 
 /// Sizes of a problem and how it is going to be solved.

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use tresca::model::Step;
+use tresca::report::{COLUMNS, Column, Entry};
 use tresca::{Description, IterationRecord, Progress, Stage};
 
 use super::format::grouped;
@@ -55,22 +56,8 @@ impl Monitor {
         if !self.print {
             return;
         }
-        println!(
-            "\n{:>4} {:>5} {:>12} {:>16} {:>10} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6}",
-            "k",
-            "outer",
-            "rel. grad.",
-            "q",
-            "decrease",
-            "open",
-            "closed",
-            "stick",
-            "slip",
-            "changes",
-            "inner",
-            "n_A",
-            "step"
-        );
+        let headings = COLUMNS.map(|column| format!("{:>1$}", column.heading, width(&column)));
+        println!("\n{}", headings.join(" "));
     }
 
     /// Removes whatever is still turning.
@@ -142,24 +129,28 @@ impl Progress for Monitor {
 
     fn iteration(&mut self, record: &IterationRecord) -> ControlFlow<()> {
         if self.print {
-            let counts = record.counts;
-            println!(
-                "{:>4} {:>5} {:>12.4e} {:>16.9e} {:>10.2e} {:>6} {:>6} {:>6} {:>6} {:>7} {:>5} {:>6} {:>6.3}",
-                record.iteration,
-                record.outer,
-                record.relative_reduced_gradient,
-                record.objective,
-                record.decrease,
-                counts.open,
-                counts.closed,
-                counts.stick,
-                counts.slip,
-                record.set_changes,
-                record.inner_iterations,
-                record.n_a,
-                record.step_length,
-            );
+            println!("{}", COLUMNS.map(|column| cell(&column, record)).join(" "));
         }
         self.flow()
+    }
+}
+
+/// Characters that a column takes: its heading and the entries that are usual.
+fn width(column: &Column) -> usize {
+    let entries = match column.value {
+        Entry::Count(_) => 5,
+        // Sign, digit, point, exponent.
+        Entry::Figure(_) => column.digits + 7,
+        Entry::Share(_) => column.digits + 2,
+    };
+    entries.max(column.heading.len())
+}
+
+fn cell(column: &Column, record: &IterationRecord) -> String {
+    let (width, digits) = (width(column), column.digits);
+    match column.value {
+        Entry::Count(value) => format!("{:>width$}", value(record)),
+        Entry::Figure(value) => format!("{:>width$.digits$e}", value(record)),
+        Entry::Share(value) => format!("{:>width$.digits$}", value(record)),
     }
 }

@@ -2,17 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use tresca_contact::FrictionLaw;
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
-use tresca_io::problem::{self, Archive, Content, Dense, ProblemError, Sparse};
-use tresca_io::summary;
+use tresca_io::problem::{self, Content, Dense, ProblemError, Sparse};
 
-use super::summary::Summary;
-use super::{
-    AlgebraicError, Assembly, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem, Solution,
-};
+use super::{AlgebraicError, Assembly, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem};
 use crate::SolveError;
-use crate::output::{Destination, history_table};
+use crate::output::Destination;
 
 /// Why a problem could not be read from files.
 #[derive(Debug, thiserror::Error)]
@@ -345,8 +342,7 @@ fn friction(
                 bound: bounds.as_ref().map_or(0.0, |bounds| bounds[pair][0]),
             },
             other => {
-                let known =
-                    "frictionless, tresca, orthotropic, coulomb, tied or bilateral".to_owned();
+                let known = format!("one of {}", FrictionLaw::NAMES.join(", "));
                 return Err(wrong(path, "law", known, format!("`{other}`")));
             }
         })
@@ -441,40 +437,5 @@ fn folder_of(file: &Path) -> &Path {
     match file.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    }
-}
-
-impl Solution {
-    /// Writes `solution.npz`, `history.csv` and `summary.json` into a folder: all of them, or none.
-    ///
-    /// # Errors
-    /// When a file cannot be written, or a result is not a finite number.
-    pub fn write(&self, title: &str, to: Destination) -> Result<Summary, WriteError> {
-        let mut files = OutputSet::new(to.into_directory())?;
-        files.stage("solution.npz", |out| {
-            let mut archive = Archive::in_memory();
-            let mut vector =
-                |name: &str, values: &[f64]| archive.numbers(name, &[values.len()], values);
-            if !self.displacement.is_empty() {
-                vector("u", &self.displacement)?;
-            }
-            vector("normal_force", &self.normal_force)?;
-            vector("tangential_force", &self.tangential_force)?;
-            vector("gap", &self.gap)?;
-            vector("slip", &self.slip)?;
-            if let Some(motion) = &self.unresisted_motion {
-                vector("unresisted_motion", motion)?;
-            }
-            archive.flags("closed", &self.closed)?;
-            archive.flags("stick", &self.stick)?;
-            archive.finish_to(out)
-        })?;
-        files.stage("history.csv", |out| {
-            history_table([(1, &self.records[..])])?.write(out)
-        })?;
-        let result = Summary::new(title, self);
-        files.stage("summary.json", |out| summary::write(out, &result))?;
-        files.commit()?;
-        Ok(result)
     }
 }

@@ -68,7 +68,6 @@ mod patches;
 mod prepared;
 mod rank;
 mod solution;
-mod summary;
 
 pub use dual::{Dual, solve_dual};
 pub use error::{AlgebraicError, MatrixError};
@@ -80,7 +79,6 @@ pub use note::{Note, Row};
 pub use operator::{Operator, Product};
 pub use prepared::{Prepared, prepare};
 pub use solution::{Forces, Solution};
-pub use summary::{ContactFigures, Summary, TimeFigures};
 
 use tresca_qcqp::Settings;
 

@@ -8,3 +8,4 @@ mod case_and_model;
 mod check_values;
 mod fclib;
 mod invariance;
+mod summary_page;

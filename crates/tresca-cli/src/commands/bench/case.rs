@@ -11,8 +11,7 @@ use tresca::output::Destination;
 use tresca::{Prepared, Silent, Status, memory};
 
 use super::table1::{again, print_cost};
-use crate::args::{CaseArguments, use_threads};
-use crate::commands::solve::case_name;
+use crate::args::{CaseArguments, run_name, use_threads};
 use crate::terminal::format::{grouped, seconds};
 
 pub fn run(arguments: &CaseArguments) -> miette::Result<u8> {
@@ -29,12 +28,12 @@ pub fn run(arguments: &CaseArguments) -> miette::Result<u8> {
 }
 
 fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
-    let name = case_name(path)?;
+    let name = run_name(path)?;
     memory::reset_peak();
     let begin = Instant::now();
     let case = Case::load(path)?;
     let reading = begin.elapsed().as_secs_f64();
-    let settings = arguments.solver.over(case.settings())?;
+    let settings = arguments.solver.over(case.settings().clone())?;
     let located = |error: tresca::SolveError| Report::new(tresca::case::locate(&case, &error));
     let model = &case.model;
     let ControlFlow::Continue(mut prepared) =
@@ -45,7 +44,7 @@ fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
     let outcome = again(&mut prepared, model, &settings)?;
     let directory = tempfile::tempdir().into_diagnostic()?;
     Destination::new(directory.path())
-        .and_then(|destination| destination.write(name, model, &outcome))
+        .and_then(|destination| destination.write(&name, model, &outcome))
         .into_diagnostic()?;
     let whole = begin.elapsed().as_secs_f64();
     let peak = memory::peak_bytes();

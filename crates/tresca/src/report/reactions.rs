@@ -1,13 +1,9 @@
 //! What supports carry.
 
 use serde::Serialize;
-use tresca_fem::FemError;
-use tresca_fem::assembly::internal_forces;
 use tresca_fem::loads::resultant;
 
-use crate::assemble::Assembled;
-use crate::load_step::Acting;
-use crate::model::Model;
+use crate::model::{Model, Support};
 
 /// Resultant of the forces that a support puts on its bodies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -23,36 +19,10 @@ pub struct SupportReaction {
     pub moment: [f64; 3],
 }
 
-/// The reactions at a body's nodes, over its full dofs; zero at free ones. A held dof hands on what the
-/// elements put on it, less the load and the contact there.
-pub(crate) fn nodal_reactions(
-    model: &Model,
-    assembled: &Assembled,
-    acting: &Acting,
-    displacements: &[Vec<f64>],
-    lambda: &[f64],
-    index: usize,
-) -> Result<Vec<f64>, FemError> {
-    let body = &model.bodies()[index];
-    let contact = assembled.contact_forces(index, lambda);
-    let load = &acting.loads[index];
-    let internal = internal_forces(
-        &body.mesh,
-        &body.material,
-        body.formulation,
-        &displacements[index],
-    )?;
-    let mut reaction = vec![0.0; internal.len()];
-    for dof in assembled.bodies[index].dofs.prescribed() {
-        reaction[dof] = internal[dof] - load[dof] - contact[dof];
-    }
-    Ok(reaction)
-}
-
 /// The reactions, support by support. What two supports hold together counts for the first of them.
-pub(crate) fn support_reactions(model: &Model, reactions: &[Vec<f64>]) -> Vec<SupportReaction> {
+pub(super) fn support_reactions(model: &Model, reactions: &[Vec<f64>]) -> Vec<SupportReaction> {
     let mut left = reactions.to_vec();
-    let support = |support: &crate::model::Support| {
+    let support = |support: &Support| {
         let mut sum = SupportReaction {
             name: support.name.clone(),
             on: support.on.iter().map(|on| model.surface_name(on)).collect(),

@@ -1,6 +1,9 @@
 //! What a run gives back: for each load step displacements, the state of every contact pair, the
 //! certificate.
 
+pub(crate) mod reactions;
+pub(crate) mod surface_fields;
+
 use serde::Serialize;
 use tresca_contact::ContactPair;
 use tresca_qcqp::{Settings, Solution, Status};
@@ -10,7 +13,7 @@ use crate::certificate::Certificate;
 use crate::floating::UnresistedMotion;
 use crate::load_step::Acting;
 use crate::solve::Description;
-use crate::surface_fields::SurfaceFields;
+use surface_fields::SurfaceFields;
 
 /// Wall-clock seconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
