@@ -2,7 +2,7 @@
 //! [`Settings::options`]: nothing about it is said twice.
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use miette::{IntoDiagnostic, WrapErr, miette};
@@ -215,14 +215,10 @@ fn option_help(name: &str) -> String {
 
 impl SolverArguments {
     /// The settings of the case file with the command line's on top.
-    pub fn over(&self, settings: &Settings) -> miette::Result<Settings> {
-        let mut table = toml::Table::try_from(settings).into_diagnostic()?;
-        for assignment in &self.set {
-            table.extend(addition(assignment)?);
+    pub fn over(&self, mut settings: Settings) -> miette::Result<Settings> {
+        if !self.set.is_empty() {
+            settings = with_assignments(&settings, &self.set)?;
         }
-        let mut settings: Settings = table
-            .try_into()
-            .map_err(|error| miette!("in the options given by --set: {error}"))?;
         settings.method = self.method.unwrap_or(settings.method);
         settings.tolerance = self.tolerance.unwrap_or(settings.tolerance);
         settings.max_iterations = self.max_iterations.unwrap_or(settings.max_iterations);
@@ -230,6 +226,17 @@ impl SolverArguments {
         settings.validate().into_diagnostic()?;
         Ok(settings)
     }
+}
+
+/// The settings with values by name in the place of some.
+fn with_assignments(settings: &Settings, assignments: &[String]) -> miette::Result<Settings> {
+    let mut table = toml::Table::try_from(settings).into_diagnostic()?;
+    for assignment in assignments {
+        table.extend(addition(assignment)?);
+    }
+    table
+        .try_into()
+        .map_err(|error| miette!("in the options given by --set: {error}"))
 }
 
 /// `key=value` with the value as in a case file; shells take quotes away, so names need none.
@@ -257,4 +264,17 @@ pub fn use_threads(threads: Option<NonZeroUsize>) -> miette::Result<()> {
         .build_global()
         .into_diagnostic()
         .wrap_err("cannot start the threads")
+}
+
+/// What a run is called: the name of its file without the extension, or of its folder.
+pub fn run_name(path: &Path) -> miette::Result<String> {
+    // A folder may be called `.`, or end in `..`.
+    let full = match path.is_dir() {
+        true => path.canonicalize().into_diagnostic()?,
+        false => path.to_owned(),
+    };
+    full.file_stem()
+        .and_then(|stem| stem.to_str())
+        .map(str::to_owned)
+        .ok_or_else(|| miette!("`{}` is not the name of a file", path.display()))
 }

@@ -26,9 +26,3 @@ impl Interrupt {
         self.0.load(Ordering::Relaxed)
     }
 }
-
-/// Says that there is nothing to write; the exit code.
-pub fn stopped(stopped: tresca::Stopped) -> u8 {
-    eprintln!("interrupted: {stopped}; nothing was written");
-    crate::INTERRUPTED
-}

@@ -2,6 +2,7 @@
 
 mod args;
 mod commands;
+mod door;
 mod interrupt;
 mod terminal;
 

@@ -7,7 +7,7 @@ use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use tresca::output::Destination;
-use tresca::{PairState, StepOutcome, Summary};
+use tresca::{PairState, RunReport, StepOutcome};
 
 use crate::errors::{self, OutputError};
 use crate::observer::Observer;
@@ -83,7 +83,7 @@ pub struct Outcome {
 impl Outcome {
     /// What `summary.json` holds.
     fn summary(&self) -> PyResult<String> {
-        json(&Summary::new(&self.case.model, &self.outcome, 0.0))
+        json(&RunReport::of_model(&self.case.model, &self.outcome))
     }
 
     /// The result files of the command line.

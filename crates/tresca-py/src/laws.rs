@@ -2,19 +2,13 @@
 
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
+use tresca::FrictionLaw;
 use tresca::algebraic::{Friction, Law};
 
 use crate::errors;
 
 /// The names of the laws; a code is a place in this list.
-pub const LAWS: [&str; 6] = [
-    "frictionless",
-    "tresca",
-    "orthotropic",
-    "coulomb",
-    "tied",
-    "bilateral",
-];
+pub const LAWS: [&str; 6] = FrictionLaw::NAMES;
 
 /// (codes, figures, one law for each pair?): one row of three figures for each code. Bounds or coefficients
 /// come first, the limit of Coulomb's law last; what a law does not use is not looked at.

@@ -48,6 +48,7 @@ mod _tresca {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::observer::Iteration::describe(module.py())?;
         module.add("__version__", tresca::VERSION)?;
         module.add("LAWS", LAWS)
     }

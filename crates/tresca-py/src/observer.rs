@@ -2,67 +2,56 @@
 
 use std::ops::ControlFlow;
 
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
+use pyo3::types::{PyCFunction, PyDict, PyTuple};
+use tresca::record::{Column, Entry};
 use tresca::{IterationRecord, Progress, Stage};
 
 /// One line of the iteration table.
-#[pyclass(frozen, get_all, module = "tresca")]
-pub struct Iteration {
-    /// Its number; 0 is the start.
-    iteration: usize,
-    /// Number of the outer iteration (Coulomb's bounds, motions of floating parts), from 0.
-    outer: usize,
-    /// What the tolerance is on.
-    relative_reduced_gradient: f64,
-    /// q(λ).
-    objective: f64,
-    /// By how much q fell.
-    decrease: f64,
-    /// Pairs without normal force.
-    open: usize,
-    /// Pairs with.
-    closed: usize,
-    /// Pairs (with separate tangents: directions) below their slip bound.
-    stick: usize,
-    /// The others.
-    slip: usize,
-    /// How many changed their state.
-    set_changes: usize,
-    /// Iterations of the inner solver.
-    inner_iterations: usize,
-    /// Multiplications by A so far.
-    n_a: usize,
-    /// Length of the Newton step; 0 for a projected gradient step instead.
-    step_length: f64,
+#[pyclass(frozen, module = "tresca")]
+pub struct Iteration(IterationRecord);
+
+impl Iteration {
+    /// Gives the class a property for each column of the table.
+    pub fn describe(py: Python<'_>) -> PyResult<()> {
+        let class = py.get_type::<Self>();
+        let property = py.import("builtins")?.getattr("property")?;
+        for column in IterationRecord::COLUMNS {
+            let get = PyCFunction::new_closure(
+                py,
+                None,
+                None,
+                move |arguments: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| {
+                    let own = arguments.get_item(0)?.cast_into::<Self>()?;
+                    entry(&column, &own.get().0, arguments.py())
+                },
+            )?;
+            let none = py.None();
+            class.setattr(column.key, property.call1((get, &none, &none, column.doc))?)?;
+        }
+        Ok(())
+    }
 }
 
-impl From<&IterationRecord> for Iteration {
-    fn from(record: &IterationRecord) -> Self {
-        let counts = &record.counts;
-        Self {
-            iteration: record.iteration,
-            outer: record.outer,
-            relative_reduced_gradient: record.relative_reduced_gradient,
-            objective: record.objective,
-            decrease: record.decrease,
-            open: counts.open,
-            closed: counts.closed,
-            stick: counts.stick,
-            slip: counts.slip,
-            set_changes: record.set_changes,
-            inner_iterations: record.inner_iterations,
-            n_a: record.n_a,
-            step_length: record.step_length,
-        }
+fn entry(column: &Column, record: &IterationRecord, py: Python<'_>) -> PyResult<Py<PyAny>> {
+    match (column.entry)(record) {
+        Entry::Count(value) => value.into_py_any(py),
+        Entry::Real(value) => value.into_py_any(py),
     }
 }
 
 #[pymethods]
 impl Iteration {
     fn __repr__(&self) -> String {
+        let record = &self.0;
         format!(
             "Iteration(iteration={}, relative_reduced_gradient={:.3e}, closed={}, stick={}, n_a={})",
-            self.iteration, self.relative_reduced_gradient, self.closed, self.stick, self.n_a
+            record.iteration,
+            record.relative_reduced_gradient,
+            record.counts.closed,
+            record.counts.stick,
+            record.n_a
         )
     }
 }
@@ -98,7 +87,7 @@ impl Observer {
             match (&self.callback, record) {
                 (Some(callback), Some(record)) => callback
                     .bind(py)
-                    .call1((Iteration::from(record),))?
+                    .call1((Iteration(record.clone()),))?
                     .is_truthy(),
                 _ => Ok(false),
             }

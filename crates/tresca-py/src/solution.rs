@@ -1,11 +1,12 @@
 //! Results as dictionaries of arrays, in the caller's order.
 
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
+use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde::Serialize;
-use tresca::IterationRecord;
-use tresca::algebraic::{Solution, Summary};
+use tresca::algebraic::Solution;
+use tresca::record::Entry;
+use tresca::{IterationRecord, RunReport};
 
 use crate::errors;
 
@@ -14,7 +15,7 @@ pub fn algebraic<'py>(py: Python<'py>, solution: Solution) -> PyResult<Bound<'py
     let result = PyDict::new(py);
     let pairs = solution.normal_force.len();
     let tangents = solution.tangential_force.len() / pairs.max(1);
-    result.set_item("summary", json(&Summary::new("", &solution))?)?;
+    result.set_item("summary", json(&RunReport::of_matrices(&solution))?)?;
     result.set_item("history", history(py, &solution.records)?)?;
     result.set_item(
         "slip_bounds",
@@ -38,37 +39,22 @@ pub fn algebraic<'py>(py: Python<'py>, solution: Solution) -> PyResult<Bound<'py
 
 /// The iteration table, column by column.
 pub fn history<'py>(py: Python<'py>, records: &[IterationRecord]) -> PyResult<Bound<'py, PyDict>> {
-    let columns = PyDict::new(py);
-    let counts = |pick: fn(&IterationRecord) -> usize| -> Bound<'py, PyArray1<i64>> {
-        let column = records
-            .iter()
-            .map(|record| i64::try_from(pick(record)).unwrap_or(i64::MAX));
-        column.collect::<Vec<_>>().into_pyarray(py)
-    };
-    let numbers = |pick: fn(&IterationRecord) -> f64| -> Bound<'py, PyArray1<f64>> {
-        records
-            .iter()
-            .map(pick)
-            .collect::<Vec<_>>()
-            .into_pyarray(py)
-    };
-    columns.set_item("iteration", counts(|r| r.iteration))?;
-    columns.set_item("outer", counts(|r| r.outer))?;
-    columns.set_item(
-        "relative_reduced_gradient",
-        numbers(|r| r.relative_reduced_gradient),
-    )?;
-    columns.set_item("objective", numbers(|r| r.objective))?;
-    columns.set_item("decrease", numbers(|r| r.decrease))?;
-    columns.set_item("open", counts(|r| r.counts.open))?;
-    columns.set_item("closed", counts(|r| r.counts.closed))?;
-    columns.set_item("stick", counts(|r| r.counts.stick))?;
-    columns.set_item("slip", counts(|r| r.counts.slip))?;
-    columns.set_item("set_changes", counts(|r| r.set_changes))?;
-    columns.set_item("inner_iterations", counts(|r| r.inner_iterations))?;
-    columns.set_item("n_a", counts(|r| r.n_a))?;
-    columns.set_item("step_length", numbers(|r| r.step_length))?;
-    Ok(columns)
+    let table = PyDict::new(py);
+    for column in IterationRecord::COLUMNS {
+        let (mut counts, mut figures) = (Vec::new(), Vec::new());
+        for record in records {
+            match (column.entry)(record) {
+                Entry::Count(count) => counts.push(i64::try_from(count).unwrap_or(i64::MAX)),
+                Entry::Real(figure) => figures.push(figure),
+            }
+        }
+        // A column is of one kind.
+        match figures.is_empty() {
+            true => table.set_item(column.key, counts.into_pyarray(py))?,
+            false => table.set_item(column.key, figures.into_pyarray(py))?,
+        }
+    }
+    Ok(table)
 }
 
 /// Two bounds per pair; infinite where nothing slides.

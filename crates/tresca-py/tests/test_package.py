@@ -54,3 +54,11 @@ def test_the_figures_of_the_certificate_are_documented():
     figures = tresca.solve([[1.0]], [1.0], [[1.0]]).certificate
     for name in [*figures, "force_balance", "moment_balance"]:
         assert f"``{name}``" in tresca.Certificate.__doc__
+
+
+def test_iterations_have_the_columns_of_the_history():
+    seen = []
+    history = tresca.solve([[1.0]], [1.0], [[1.0]], callback=seen.append).history
+    for name in history.dtype.names:
+        assert inspect.getdoc(getattr(tresca.Iteration, name)), name
+        assert [getattr(iteration, name) for iteration in seen] == history[name].tolist(), name

@@ -56,8 +56,10 @@ pub enum Notation {
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Column {
-    /// Its name in files.
+    /// Its name in files and in Python.
     pub key: &'static str,
+    /// What it says.
+    pub doc: &'static str,
     /// Its name where room is scarce.
     pub title: &'static str,
     /// Characters that a terminal gives it.
@@ -68,22 +70,11 @@ pub struct Column {
     pub entry: fn(&IterationRecord) -> Entry,
 }
 
-impl Column {
-    const fn new(
-        key: &'static str,
-        title: &'static str,
-        width: usize,
-        notation: Notation,
-        entry: fn(&IterationRecord) -> Entry,
-    ) -> Self {
-        Self {
-            key,
-            title,
-            width,
-            notation,
-            entry,
-        }
-    }
+/// The columns, one line each: key, title, width, notation, entry, meaning.
+macro_rules! columns {
+    ($($key:literal $title:literal $width:literal $notation:expr, |$r:ident| $entry:expr, $doc:literal;)*) => {
+        [$(Column { key: $key, doc: $doc, title: $title, width: $width, notation: $notation, entry: |$r| $entry }),*]
+    };
 }
 
 impl IterationRecord {
@@ -91,32 +82,33 @@ impl IterationRecord {
     pub const COLUMNS: [Column; 13] = {
         use Entry::{Count, Real};
         use Notation::{Fixed, Plain, Scientific};
-        [
-            Column::new("iteration", "k", 4, Plain, |r| Count(r.iteration)),
-            Column::new("outer", "outer", 5, Plain, |r| Count(r.outer)),
-            Column::new(
-                "relative_reduced_gradient",
-                "rel. grad.",
-                12,
-                Scientific(4),
-                |r| Real(r.relative_reduced_gradient),
-            ),
-            Column::new("dual_objective", "q", 16, Scientific(9), |r| {
-                Real(r.objective)
-            }),
-            Column::new("decrease", "decrease", 10, Scientific(2), |r| {
-                Real(r.decrease)
-            }),
-            Column::new("open", "open", 6, Plain, |r| Count(r.counts.open)),
-            Column::new("closed", "closed", 6, Plain, |r| Count(r.counts.closed)),
-            Column::new("stick", "stick", 6, Plain, |r| Count(r.counts.stick)),
-            Column::new("slip", "slip", 6, Plain, |r| Count(r.counts.slip)),
-            Column::new("set_changes", "changes", 7, Plain, |r| Count(r.set_changes)),
-            Column::new("inner_iterations", "inner", 5, Plain, |r| {
-                Count(r.inner_iterations)
-            }),
-            Column::new("n_a", "n_A", 6, Plain, |r| Count(r.n_a)),
-            Column::new("step_length", "step", 6, Fixed(3), |r| Real(r.step_length)),
-        ]
+        columns! {
+            "iteration" "k" 4 Plain, |r| Count(r.iteration),
+                "Its number; 0 is the start.";
+            "outer" "outer" 5 Plain, |r| Count(r.outer),
+                "Number of the outer iteration (Coulomb's bounds, motions of floating parts), from 0.";
+            "relative_reduced_gradient" "rel. grad." 12 Scientific(4), |r| Real(r.relative_reduced_gradient),
+                "What the tolerance is on.";
+            "objective" "q" 16 Scientific(9), |r| Real(r.objective),
+                "q(λ).";
+            "decrease" "decrease" 10 Scientific(2), |r| Real(r.decrease),
+                "By how much q fell.";
+            "open" "open" 6 Plain, |r| Count(r.counts.open),
+                "Pairs without normal force.";
+            "closed" "closed" 6 Plain, |r| Count(r.counts.closed),
+                "Pairs with.";
+            "stick" "stick" 6 Plain, |r| Count(r.counts.stick),
+                "Pairs (with separate tangents: directions) below their slip bound.";
+            "slip" "slip" 6 Plain, |r| Count(r.counts.slip),
+                "The others.";
+            "set_changes" "changes" 7 Plain, |r| Count(r.set_changes),
+                "How many changed their state.";
+            "inner_iterations" "inner" 5 Plain, |r| Count(r.inner_iterations),
+                "Iterations of the inner solver.";
+            "n_a" "n_A" 6 Plain, |r| Count(r.n_a),
+                "Multiplications by A so far.";
+            "step_length" "step" 6 Fixed(3), |r| Real(r.step_length),
+                "Length of the Newton step; 0 for a projected gradient step instead.";
+        }
     };
 }

@@ -40,21 +40,18 @@ mod outcome;
 pub mod output;
 mod pair_state;
 pub mod prelude;
-mod reactions;
+pub mod report;
 mod solve;
-mod summary;
-mod surface_fields;
 
 pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
 pub use error::SolveError;
 pub use floating::UnresistedMotion;
 pub use load_step::Acting;
+pub use outcome::surface_fields::SurfaceFields;
 pub use outcome::{Outcome, StepOutcome};
 pub use pair_state::PairState;
-pub use reactions::SupportReaction;
+pub use report::RunReport;
 pub use solve::{PreparedModel, factor_error, prepare, solve, solve_with};
-pub use summary::Summary;
-pub use surface_fields::SurfaceFields;
 
 pub use tresca_contact::{CouplingMethod, Frame, FrictionLaw, RigidShape, ScalarField, Sliding};
 pub use tresca_fem::assembly::Formulation;

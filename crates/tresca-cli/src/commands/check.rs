@@ -7,12 +7,11 @@ use tresca::case::Case;
 use tresca::output::Destination;
 use tresca::{Check, check};
 
-use super::solve::case_name;
-use crate::args::CheckArguments;
+use crate::args::{CheckArguments, run_name};
 
 pub fn run(arguments: &CheckArguments) -> miette::Result<u8> {
     let case = Case::load(&arguments.case)?;
-    let name = case_name(&arguments.case)?;
+    let name = run_name(&arguments.case)?;
     let mut checked =
         check(&case.model).map_err(|error| Report::new(tresca::case::locate(&case, &error)))?;
     checked.warnings.splice(0..0, case.notes());
@@ -23,7 +22,7 @@ pub fn run(arguments: &CheckArguments) -> miette::Result<u8> {
             None => Path::new("out").join(format!("{name}-check")),
         };
         Destination::new(&directory)
-            .and_then(|destination| destination.write_check(name, &case.model, &checked))
+            .and_then(|destination| destination.write_check(&name, &case.model, &checked))
             .into_diagnostic()?;
         println!("grids in {}", directory.display());
     }

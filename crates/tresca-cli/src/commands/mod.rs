@@ -3,7 +3,5 @@
 pub mod bench;
 pub mod check;
 pub mod export;
-pub mod fclib;
-pub mod matrices;
 pub mod options;
 pub mod solve;

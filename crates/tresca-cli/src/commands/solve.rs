@@ -1,41 +1,29 @@
-//! `tresca solve`: a case file (or matrices: see `matrices` and `fclib`) in, result files and a verdict out.
+//! `tresca solve`: a problem in, result files and a verdict out; the same for every door.
 
-use std::path::Path;
+use std::path::PathBuf;
 
-use miette::{IntoDiagnostic, Report, miette};
-use tresca::SolveError;
-use tresca::case::Case;
+use miette::IntoDiagnostic;
 use tresca::output::Destination;
 
-use super::{fclib, matrices};
-use crate::args::{SolveArguments, use_threads};
+use crate::args::{SolveArguments, run_name, use_threads};
+use crate::door::Door;
 use crate::interrupt::Interrupt;
 use crate::terminal::{monitor::Monitor, verdict};
 
 pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
     use_threads(arguments.threads)?;
-    if fclib::is_problem(&arguments.case) {
-        return fclib::run(arguments);
-    }
-    if arguments.law.is_some() || arguments.bound.is_some() {
-        return Err(miette!(
-            "--law and --bound are for problems of FCLIB and Siconos; others have their own laws"
-        ));
-    }
-    if matrices::is_problem(&arguments.case) {
-        return matrices::run(arguments);
-    }
-    let case = Case::load(&arguments.case)?;
-    let settings = arguments.solver.over(case.settings())?;
-    let name = case_name(&arguments.case)?;
+    let interrupt = Interrupt::listen();
+    let door = Door::load(arguments)?;
+    let settings = arguments.solver.over(door.settings())?;
+    let name = run_name(&arguments.case)?;
     let directory = match &arguments.out {
         Some(directory) => directory.clone(),
-        None => Path::new("out").join(name),
+        None => PathBuf::from("out").join(&name),
     };
     let destination = Destination::new(&directory).into_diagnostic()?;
 
     if !arguments.quiet {
-        println!("tresca {} · {}", tresca::VERSION, case.model.title());
+        println!("tresca {} · {}", tresca::VERSION, door.describe());
     }
     if arguments.verbose {
         print!(
@@ -43,29 +31,20 @@ pub fn run(arguments: &SolveArguments) -> miette::Result<u8> {
             toml::to_string(&settings).into_diagnostic()?
         );
     }
-    let mut monitor = Monitor::new(Interrupt::listen(), arguments.quiet, arguments.verbose);
-    let outcome = tresca::solve_with(&case.model, &settings, &mut monitor);
+    let mut monitor = Monitor::new(interrupt, arguments.quiet, arguments.verbose);
+    let solved = door.solve(&settings, &mut monitor);
     monitor.finish();
-    let outcome = match outcome {
-        Err(SolveError::Stopped(stopped)) => return Ok(crate::interrupt::stopped(stopped)),
-        outcome => outcome.map_err(|error| Report::new(tresca::case::locate(&case, &error)))?,
+    let Some(solved) = solved? else {
+        eprintln!("interrupted before the first iteration: nothing was written");
+        return Ok(crate::INTERRUPTED);
     };
-    let summary = destination
-        .write(name, &case.model, &outcome)
-        .into_diagnostic()?;
+    let report = solved.write(destination, &name)?;
     if !arguments.quiet {
-        verdict::print(&summary, &directory);
+        verdict::print(&report, &directory);
     }
-    Ok(if outcome.converged() {
+    Ok(if report.converged() {
         crate::SUCCESS
     } else {
         crate::NOT_CONVERGED
     })
-}
-
-/// The case file's name without its extension: results are called after it.
-pub fn case_name(case: &Path) -> miette::Result<&str> {
-    case.file_stem()
-        .and_then(|stem| stem.to_str())
-        .ok_or_else(|| miette!("`{}` is not the name of a case file", case.display()))
 }

@@ -1,6 +1,5 @@
 //! Everything that people see: tables, progress, the verdict.
 
 pub mod format;
-pub mod matrices;
 pub mod monitor;
 pub mod verdict;

@@ -60,7 +60,12 @@ fn a_text_of_siconos_is_solved_as_posed() {
     assert!(text.contains("note: W is symmetric up to 1.6e-7"), "{text}");
     let summary = scene.summary("crank");
     assert_eq!(summary["law"]["name"], "coulomb");
-    assert!(summary["residuals"]["symmetrised"].as_f64().unwrap() < 1e-6);
+    assert!(
+        summary["steps"][0]["residuals"]["symmetrised"]
+            .as_f64()
+            .unwrap()
+            < 1e-6
+    );
     for name in ["solution.csv", "history.csv"] {
         assert!(scene.path("crank").join(name).exists(), "{name}");
     }
@@ -85,7 +90,7 @@ fn the_law_of_tresca_takes_a_bound() {
         (&summary["law"]["name"], &summary["law"]["bound"]),
         (&"tresca".into(), &0.5.into())
     );
-    assert_eq!(summary["outer_iterations"], 0);
+    assert_eq!(summary["steps"][0]["outer_iterations"], 0);
 
     let missing = scene.tresca(&["solve", rover, "--law", "tresca"]);
     assert_eq!(missing.status.code(), Some(2));
@@ -202,7 +207,7 @@ fn cases_are_exported_and_solved_again() {
     let summary = scene.summary("again");
     if cfg!(feature = "fclib") {
         assert!(
-            summary["reference"]["forces"].as_f64().unwrap() < 1e-4,
+            summary["steps"][0]["reference"]["forces"].as_f64().unwrap() < 1e-4,
             "{summary}"
         );
     }
@@ -236,5 +241,10 @@ fn a_file_of_h5py_is_solved() {
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     assert!(stdout(&output).contains("one contact"));
     // What the file calls its solution is none.
-    assert!(scene.summary("o")["reference"]["forces"].as_f64().unwrap() > 0.1);
+    assert!(
+        scene.summary("o")["steps"][0]["reference"]["forces"]
+            .as_f64()
+            .unwrap()
+            > 0.1
+    );
 }

@@ -97,7 +97,7 @@ class Solution:
         Wall-clock seconds: ``check``, ``factorization``, ``solve`` (``multiplications`` by A are a part of it),
         ``recovery`` and their ``total``.
     summary : dict
-        The figures of the result, as the command line writes them.
+        The figures of the result, as the command line writes them into ``summary.json``.
     kernel_amounts : ndarray
         How much of each kernel vector of K there is in u, for a start.
     unresisted_motion : ndarray, shape (n,), or None
@@ -172,19 +172,21 @@ def number(value: float | None) -> float:
 def solution(raw: Mapping[str, Any], stacklevel: int) -> Solution:
     """The result of the compiled half; warns when it is none."""
     summary = json.loads(raw["summary"])
+    (step,) = summary["steps"]
     result = Solution(
-        status=summary["status"],
+        status=step["status"],
         history=table(raw["history"]),
-        certificate=certificate(summary["certificate"]),
-        iterations=summary["iterations"],
-        n_a=summary["n_a"],
-        n_a_setup=summary["n_a_setup"],
-        outer_iterations=summary["outer_iterations"],
-        relative_reduced_gradient=number(summary["relative_reduced_gradient"]),
-        dual_objective=number(summary["dual_objective"]),
+        certificate=certificate(step["certificate"]),
+        iterations=step["iterations"],
+        n_a=step["n_a"],
+        n_a_setup=step["n_a_setup"],
+        outer_iterations=step["outer_iterations"],
+        relative_reduced_gradient=number(step["relative_reduced_gradient"]),
+        dual_objective=number(step["dual_objective"]),
         notes=tuple(summary["notes"]),
         settings=summary["settings"],
-        times=summary["times"],
+        # Matrices are not assembled but checked.
+        times={"check" if name == "assembly" else name: seconds for name, seconds in summary["times"].items()},
         summary=summary,
         **{name: value for name, value in raw.items() if name not in ("summary", "history")},
     )

@@ -1,6 +1,6 @@
 //! Friction of contact pairs whose bounds are forces: there is no area to multiply with.
 
-use tresca_contact::{Opening, Sliding};
+use tresca_contact::{FrictionLaw, Opening, Sliding};
 
 use super::error::AlgebraicError;
 
@@ -52,16 +52,17 @@ impl Law {
         }
     }
 
-    /// The word for it.
+    /// The word for it, as everywhere.
     pub fn name(&self) -> &'static str {
-        match self {
-            Law::Frictionless => "frictionless",
-            Law::Tresca { .. } => "tresca",
-            Law::Orthotropic { .. } => "orthotropic",
-            Law::Coulomb { .. } => "coulomb",
-            Law::Tied => "tied",
-            Law::Bilateral { .. } => "bilateral",
-        }
+        let number = match self {
+            Law::Frictionless => 0,
+            Law::Tresca { .. } => 1,
+            Law::Orthotropic { .. } => 2,
+            Law::Coulomb { .. } => 3,
+            Law::Tied => 4,
+            Law::Bilateral { .. } => 5,
+        };
+        FrictionLaw::NAMES[number]
     }
 
     pub(crate) fn opening(&self) -> Opening {
@@ -163,5 +164,29 @@ impl Friction {
             law.check(pair)?;
         }
         Ok(laws)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn laws_of_forces_are_called_as_those_of_tractions() {
+        let bound = || tresca_contact::Field::Constant(1.0);
+        let tractions = FrictionLaw::Bilateral {
+            bound: Some(bound()),
+        };
+        assert_eq!(Law::Bilateral { bound: 1.0 }.name(), tractions.name());
+        let tractions = FrictionLaw::Orthotropic {
+            bounds: [bound(), bound()],
+            axis: [1.0, 0.0, 0.0],
+        };
+        let forces = Law::Orthotropic { bounds: [1.0; 2] };
+        assert_eq!(forces.name(), tractions.name());
+        assert_eq!(Law::tresca(1.0).name(), FrictionLaw::tresca(1.0).name());
+        assert_eq!(Law::coulomb(0.3).name(), FrictionLaw::coulomb(0.3).name());
+        assert_eq!(Law::Tied.name(), FrictionLaw::Tied.name());
+        assert_eq!(Law::Frictionless.name(), FrictionLaw::Frictionless.name());
     }
 }

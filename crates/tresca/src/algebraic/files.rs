@@ -2,17 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use tresca_contact::FrictionLaw;
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
-use tresca_io::problem::{self, Archive, Content, Dense, ProblemError, Sparse};
-use tresca_io::summary;
+use tresca_io::problem::{self, Content, Dense, ProblemError, Sparse};
 
-use super::summary::Summary;
-use super::{
-    AlgebraicError, Assembly, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem, Solution,
-};
+use super::{AlgebraicError, Assembly, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem};
 use crate::SolveError;
-use crate::output::{Destination, history_table};
+use crate::output::Destination;
 
 /// Why a problem could not be read from files.
 #[derive(Debug, thiserror::Error)]
@@ -343,8 +340,7 @@ fn friction(
                 bound: bounds.as_ref().map_or(0.0, |bounds| bounds[pair][0]),
             },
             other => {
-                let known =
-                    "frictionless, tresca, orthotropic, coulomb, tied or bilateral".to_owned();
+                let known = format!("one of {}", FrictionLaw::NAMES.join(", "));
                 return Err(wrong(path, "law", known, format!("`{other}`")));
             }
         })
@@ -440,37 +436,4 @@ fn folder_of(file: &Path) -> &Path {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     }
-}
-
-/// Writes `solution.npz`, `history.csv` and `summary.json` into a folder: all of them, or none.
-///
-/// # Errors
-/// When a file cannot be written, or a result is not a finite number.
-pub fn write(solution: &Solution, title: &str, to: Destination) -> Result<Summary, WriteError> {
-    let mut files = OutputSet::new(to.into_directory())?;
-    files.stage("solution.npz", |out| {
-        let mut archive = Archive::in_memory();
-        let mut vector =
-            |name: &str, values: &[f64]| archive.numbers(name, &[values.len()], values);
-        if !solution.displacement.is_empty() {
-            vector("u", &solution.displacement)?;
-        }
-        vector("normal_force", &solution.normal_force)?;
-        vector("tangential_force", &solution.tangential_force)?;
-        vector("gap", &solution.gap)?;
-        vector("slip", &solution.slip)?;
-        if let Some(motion) = &solution.unresisted_motion {
-            vector("unresisted_motion", motion)?;
-        }
-        archive.flags("closed", &solution.closed)?;
-        archive.flags("stick", &solution.stick)?;
-        archive.finish_to(out)
-    })?;
-    files.stage("history.csv", |out| {
-        history_table([(1, &solution.records[..])])?.write(out)
-    })?;
-    let result = Summary::new(title, solution);
-    files.stage("summary.json", |out| summary::write(out, &result))?;
-    files.commit()?;
-    Ok(result)
 }

@@ -3,11 +3,9 @@
 
 mod assembly;
 mod files;
-mod summary;
 
 pub use assembly::Assembly;
-pub use files::{ExportError, FileError, read, write};
-pub use summary::{ContactFigures, Summary, TimeFigures};
+pub use files::{ExportError, FileError, read};
 pub use tresca_system::matrices::*;
 
 /// The examples of the page are compiled and run.

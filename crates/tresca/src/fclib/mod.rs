@@ -33,7 +33,6 @@
 
 mod error;
 mod export;
-mod output;
 mod reduced;
 mod residual;
 
@@ -45,7 +44,6 @@ use tresca_system::progress::Progress;
 
 pub use error::ProblemError;
 pub use export::{document, local_problem};
-pub use output::{Reference, Summary, Times, write};
 pub use reduced::MatrixFacts;
 pub use residual::Residuals;
 pub use tresca_io::fclib::{

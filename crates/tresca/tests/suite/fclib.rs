@@ -8,6 +8,7 @@ use tresca::fclib::{
 };
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
+use tresca::output::Destination;
 use tresca::{Body, Contact, FrictionLaw, Model, Settings, Silent, Support, Traction};
 use tresca_testkit::assert_near;
 
@@ -385,7 +386,12 @@ fn the_written_files_hold_the_solution() {
     let settings = tight();
     let outcome = fclib::solve(&document.problem, Law::Coulomb, &settings, &mut Silent).unwrap();
     let directory = tempfile::tempdir().unwrap();
-    fclib::write(directory.path(), "crank", &document, &outcome, &settings).unwrap();
+    let write = |document: &Document, outcome: &Outcome| {
+        Destination::new(directory.path())
+            .and_then(|to| to.write_fclib("crank", document, outcome, &settings))
+            .unwrap()
+    };
+    write(&document, &outcome);
     let read = |name: &str| std::fs::read_to_string(directory.path().join(name)).unwrap();
 
     let rows: Vec<Vec<f64>> = read("solution.csv")
@@ -413,14 +419,15 @@ fn the_written_files_hold_the_solution() {
     );
     let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
     assert_eq!(summary["status"], "converged");
-    assert_eq!(summary["matrix"]["rank"], 3);
+    let step = &summary["steps"][0];
+    assert_eq!(step["matrix"]["rank"], 3);
     assert!(
-        summary["remarks"][0]
+        summary["notes"][0]
             .as_str()
             .unwrap()
             .contains("W is singular (rank 3 of 4)")
     );
-    assert!(summary.get("reference").is_none());
+    assert!(step.get("reference").is_none());
 
     #[cfg(feature = "fclib")]
     {
@@ -428,8 +435,18 @@ fn the_written_files_hold_the_solution() {
         let state = written.solution.clone().unwrap();
         assert_eq!((&state.r, &state.u), (&outcome.forces, &outcome.velocities));
         // Solved again, the file's own solution is the reference.
-        let summary =
-            fclib::write(directory.path(), "crank", &written, &outcome, &settings).unwrap();
-        assert_eq!(summary.reference.unwrap().forces, 0.0);
+        let report = write(&written, &outcome);
+        assert_eq!(report.last().reference.unwrap().forces, 0.0);
+
+        // What did not converge is not called a solution.
+        let hasty = Settings {
+            max_iterations: 0,
+            ..settings.clone()
+        };
+        let unfinished =
+            fclib::solve(&document.problem, Law::Coulomb, &hasty, &mut Silent).unwrap();
+        assert!(!write(&document, &unfinished).converged());
+        let written = fclib::read(&directory.path().join("crank.hdf5")).unwrap();
+        assert!(written.solution.is_none());
     }
 }

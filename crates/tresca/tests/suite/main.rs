@@ -9,3 +9,4 @@ mod check_values;
 mod fclib;
 mod invariance;
 mod stopping;
+mod summary_page;

@@ -9,8 +9,7 @@ use tresca_bench::BenchError;
 use tresca_bench::trial::{Trial, Watch};
 
 use super::print_cost;
-use crate::args::{CaseArguments, use_threads};
-use crate::commands::solve::case_name;
+use crate::args::{CaseArguments, run_name, use_threads};
 use crate::terminal::format::{grouped, seconds};
 
 pub fn run(arguments: &CaseArguments) -> miette::Result<bool> {
@@ -23,12 +22,12 @@ pub fn run(arguments: &CaseArguments) -> miette::Result<bool> {
 }
 
 fn run_case(path: &Path, arguments: &CaseArguments) -> miette::Result<bool> {
-    let name = case_name(path)?;
+    let name = run_name(path)?;
     let watch = Watch::start();
     let case = Case::load(path)?;
     let reading = watch.seconds();
-    let settings = arguments.solver.over(case.settings())?;
-    let trial = Trial::run(watch, name, &case.model, &settings).or_else(|error| match error {
+    let settings = arguments.solver.over(case.settings().clone())?;
+    let trial = Trial::run(watch, &name, &case.model, &settings).or_else(|error| match error {
         BenchError::Model(error) => Err(Report::new(tresca::case::locate(&case, &error))),
         other => Err(other).into_diagnostic(),
     })?;

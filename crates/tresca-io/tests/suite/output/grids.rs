@@ -7,7 +7,7 @@ use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Mesh, Space, brick};
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
 use tresca_io::pvd::{self, Part};
-use tresca_io::results::{BodyFields, ContactFields};
+use tresca_io::results::{BodyFields, ContactFields, SurfaceFields};
 use tresca_io::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 use vtkio::model::{
     Attribute, CellType, DataSet, Piece, UnstructuredGridPiece, VertexNumbers, Vtk,
@@ -77,7 +77,9 @@ fn a_body_comes_back() {
         displacement: &displacement,
         stress: &stress,
         von_mises: &von_mises,
-        extra: Vec::new(),
+        reaction: None,
+        surface: None,
+        unresisted_motion: None,
         facts: facts(),
     }
     .write(&mut file)
@@ -131,13 +133,22 @@ fn a_plane_body_comes_back_with_vectors_of_three_components() {
     let mesh = Mesh::new(Space::Plane, points, vec![block], BTreeMap::new()).unwrap();
     let displacement = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
     let stress = [[1.0, 2.0, 3.0, 4.0, 0.0, 0.0]; 4];
-    let temperature = [20.0, 21.0, 22.0, 23.0];
+    let numbers = [20.0, 21.0, 22.0, 23.0];
+    let vectors: [[f64; 3]; 4] = std::array::from_fn(|node| [node as f64, 0.5, 0.0]);
     let mut body = BodyFields {
         mesh: &mesh,
         displacement: &displacement,
         stress: &stress,
         von_mises: &[1.0; 4],
-        extra: vec![Field::new("temperature", Values::Scalars(&temperature))],
+        reaction: Some(&vectors),
+        surface: Some(SurfaceFields {
+            force: &vectors,
+            pressure: &numbers,
+            traction: &vectors,
+            gap: &numbers,
+            status: &[0, 1, 2, 3],
+        }),
+        unresisted_motion: Some(&vectors),
         facts: facts(),
     };
     let mut file = Vec::new();
@@ -146,21 +157,38 @@ fn a_plane_body_comes_back_with_vectors_of_three_components() {
     assert_eq!(piece.cells.types, [CellType::Quad]);
     let fields = &piece.data.point;
     let names: Vec<&str> = fields.iter().map(Attribute::name).collect();
-    assert_eq!(
-        names,
-        ["displacement", "stress", "von_mises_stress", "temperature"]
-    );
+    let expected = [
+        "displacement",
+        "stress",
+        "von_mises_stress",
+        "reaction",
+        "contact_force",
+        "contact_pressure",
+        "contact_traction",
+        "contact_gap",
+        "contact_status",
+        "unresisted_motion",
+    ];
+    assert_eq!(names, expected);
     let expected = [0.1, 0.2, 0.0, 0.3, 0.4, 0.0, 0.5, 0.6, 0.0, 0.7, 0.8, 0.0];
     assert_eq!(field(fields, "displacement"), (3, expected.to_vec()));
-    assert_eq!(field(fields, "temperature"), (1, temperature.to_vec()));
-
-    body.extra = vec![Field::new("stress", Values::Scalars(&temperature))];
-    let error = body.write(&mut Vec::new()).unwrap_err().to_string();
+    for name in ["contact_pressure", "contact_gap"] {
+        assert_eq!(field(fields, name), (1, numbers.to_vec()), "{name}");
+    }
+    for name in [
+        "reaction",
+        "contact_force",
+        "contact_traction",
+        "unresisted_motion",
+    ] {
+        let expected = vectors.as_flattened().to_vec();
+        assert_eq!(field(fields, name), (3, expected), "{name}");
+    }
     assert_eq!(
-        error,
-        "the name `stress` cannot be used: two fields have it"
+        field(fields, "contact_status"),
+        (1, vec![0.0, 1.0, 2.0, 3.0])
     );
-    body.extra.clear();
+
     body.displacement = &displacement[..7];
     let error = body.write(&mut Vec::new()).unwrap_err().to_string();
     assert_eq!(error, "`displacement` has 7 values, expected 12");
@@ -268,9 +296,9 @@ impl Contact {
             slip: &self.vectors,
             closed: &self.closed,
             sticking: &self.sticking,
-            friction_law: None,
-            law_names: &[],
-            extra: Vec::new(),
+            slip_increment: &self.vectors,
+            friction_law: &[1, 1, 3, 4],
+            law_names: &["frictionless", "tresca", "orthotropic", "coulomb", "tied"],
             facts: facts(),
         }
     }
@@ -297,7 +325,13 @@ fn contact_fields_come_back_with_and_without_faces() {
         assert_eq!(field(fields, "sticking"), (1, vec![0.0, 1.0, 0.0, 1.0]));
         assert_eq!(field(fields, "pair"), (1, vec![0.0, 0.0, 1.0, 1.0]));
         assert_eq!(field(fields, "normal_force"), (1, contact.scalars.clone()));
-        for name in ["normal", "tangential_force", "tangential_traction", "slip"] {
+        for name in [
+            "normal",
+            "tangential_force",
+            "tangential_traction",
+            "slip",
+            "slip_increment",
+        ] {
             let expected = contact.vectors.as_flattened().to_vec();
             assert_eq!(field(fields, name), (3, expected), "{name}");
         }
@@ -308,23 +342,18 @@ fn contact_fields_come_back_with_and_without_faces() {
 }
 
 #[test]
-fn contact_fields_in_the_plane_have_lines_laws_and_further_fields() {
+fn contact_fields_in_the_plane_have_lines_and_laws() {
     let contact = Contact::new();
-    let wear = [[0.5, 0.0, 0.0]; 4];
-    let mut fields = contact.fields(vec![Cells {
+    let fields = contact.fields(vec![Cells {
         shape: CellShape::Line,
         connectivity: &[0, 1, 1, 2],
     }]);
-    fields.friction_law = Some(&[1, 1, 3, 4]);
-    fields.law_names = &["frictionless", "tresca", "orthotropic", "coulomb", "tied"];
-    fields.extra = vec![Field::new("wear", Values::Vectors(&wear))];
     let mut file = Vec::new();
     fields.write(&mut file).unwrap();
     let piece = read(&file);
     assert_eq!(piece.cells.types, [CellType::Line; 2]);
     let point = &piece.data.point;
     assert_eq!(field(point, "friction_law"), (1, vec![1.0, 1.0, 3.0, 4.0]));
-    assert_eq!(field(point, "wear"), (3, wear.as_flattened().to_vec()));
     let text = String::from_utf8(file).unwrap();
     let meaning =
         "<!-- friction_law: 0 frictionless, 1 tresca, 2 orthotropic, 3 coulomb, 4 tied -->";
@@ -422,7 +451,9 @@ fn a_set_of_grids_is_written_with_its_collection() {
         displacement: &displacement,
         stress: &stress,
         von_mises: &von_mises,
-        extra: Vec::new(),
+        reaction: None,
+        surface: None,
+        unresisted_motion: None,
         facts: facts(),
     };
     let contact = Contact::new();

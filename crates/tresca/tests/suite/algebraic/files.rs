@@ -85,9 +85,11 @@ fn an_assembled_model_says_where_its_numbers_come_from() {
 fn results_are_written_together() {
     let scene = tempfile::tempdir().unwrap();
     let solution = solved(&random(Laws::Tresca, 2, 0, 2), &tight());
-    let to = Destination::new(&scene.path().join("out")).unwrap();
-    let summary = tresca::algebraic::write(&solution, "random", to).unwrap();
-    assert_eq!(summary.contact.closed + summary.contact.open, 6);
+    let report = Destination::new(&scene.path().join("out"))
+        .and_then(|destination| destination.write_matrices("random", &solution))
+        .unwrap();
+    let contact = &report.last().contact;
+    assert_eq!(contact.closed + contact.open, 6);
     let mut names: Vec<_> = std::fs::read_dir(scene.path().join("out"))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -97,7 +99,8 @@ fn results_are_written_together() {
     let text = std::fs::read_to_string(scene.path().join("out/summary.json")).unwrap();
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(json["status"], "converged");
-    assert_eq!(json["contact"]["pairs"], 6);
+    assert_eq!(json["name"], "random");
+    assert_eq!(json["steps"][0]["contact"]["pairs"], 6);
 }
 
 #[track_caller]

@@ -1,13 +1,16 @@
 //! What a run gives back: for each load step displacements, the state of every contact pair, the
 //! certificate.
 
+pub(crate) mod reactions;
+pub(crate) mod surface_fields;
+
 use tresca_qcqp::{DualSolution, Settings, Status};
 use tresca_system::certificate::Certificate;
 use tresca_system::description::{Description, Times};
 
 use crate::floating::UnresistedMotion;
+use crate::outcome::surface_fields::SurfaceFields;
 use crate::pair_state::PairState;
-use crate::surface_fields::SurfaceFields;
 
 /// The result of one load step.
 #[derive(Debug, Clone)]

@@ -1,12 +1,9 @@
 //! What supports carry.
 
 use serde::Serialize;
-use tresca_fem::FemError;
-use tresca_fem::assembly::internal_forces;
 use tresca_fem::loads::resultant;
 
-use tresca_fem::dofs::DofMap;
-use tresca_model::{Body, Model};
+use tresca_model::{Model, Support};
 
 /// Resultant of the forces that a support puts on its bodies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -22,35 +19,10 @@ pub struct SupportReaction {
     pub moment: [f64; 3],
 }
 
-/// The reactions at a body's nodes, over its full dofs; zero at free ones. A held dof hands on what the
-/// elements put on it, less the load and the contact there.
-pub(crate) fn nodal_reactions(
-    body: &Body,
-    dofs: &DofMap,
-    displacement: &[f64],
-    load: &[f64],
-    contact: &[f64],
-) -> Result<Vec<f64>, FemError> {
-    let internal = internal_forces(
-        &body.mesh,
-        &body.material,
-        body.formulation,
-        displacement,
-        None,
-    )?;
-    let acting = load.iter().zip(contact);
-    let left: Vec<f64> = internal
-        .iter()
-        .zip(acting)
-        .map(|(internal, (load, contact))| internal - load - contact)
-        .collect();
-    Ok(dofs.support_forces(&left))
-}
-
 /// The reactions, support by support. What two supports hold together counts for the first of them.
-pub(crate) fn support_reactions(model: &Model, reactions: &[Vec<f64>]) -> Vec<SupportReaction> {
+pub(super) fn support_reactions(model: &Model, reactions: &[Vec<f64>]) -> Vec<SupportReaction> {
     let mut left = reactions.to_vec();
-    let support = |support: &crate::model::Support| {
+    let support = |support: &Support| {
         let mut sum = SupportReaction {
             name: support.name.clone(),
             on: support.on.iter().map(|on| model.surface_name(on)).collect(),
