@@ -173,7 +173,7 @@ mod tests {
 
     #[test]
     fn laws_of_forces_are_called_as_those_of_tractions() {
-        let bound = || tresca_contact::Field::Constant(1.0);
+        let bound = || tresca_contact::ScalarField::Constant(1.0);
         let tractions = FrictionLaw::Bilateral {
             bound: Some(bound()),
         };
