@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::engine::EngineChoice;
+use crate::factors::FactorWork;
 
 /// Sizes of a problem and how it is going to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,24 +22,6 @@ pub struct Description {
     pub engine: EngineChoice,
     /// What the factorisation cost.
     pub factorization: FactorWork,
-}
-
-/// What the factorisation cost.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FactorWork {
-    /// Nonzeros of all factors.
-    pub nonzeros: f64,
-    /// Floating-point operations of the numerical factorisations.
-    pub flops: f64,
-    /// Seconds for ordering, symbolic analysis and numerical factorisation of all bodies.
-    pub seconds: f64,
-}
-
-impl FactorWork {
-    /// GFLOP/s reached, ordering and analysis included.
-    pub fn gigaflops_per_second(&self) -> f64 {
-        self.flops / self.seconds / 1e9
-    }
 }
 
 /// Wall-clock seconds.

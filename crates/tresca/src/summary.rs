@@ -9,8 +9,8 @@ use crate::model::Model;
 use crate::outcome::{Outcome, StepOutcome};
 use crate::pair_state::PairState;
 use crate::reactions::{SupportReaction, support_reactions};
-use tresca_system::description::FactorWork;
 use tresca_system::engine::EngineChoice;
+use tresca_system::factors::FactorWork;
 
 /// `summary.json`. Forces, lengths and stresses in the user's units.
 #[derive(Debug, Clone, Serialize)]

@@ -5,8 +5,8 @@ use tresca_qcqp::{Figures, Settings, Status};
 
 use super::{Note, Solution};
 use crate::certificate::Certificate;
-use tresca_system::description::FactorWork;
 use tresca_system::engine::EngineChoice;
+use tresca_system::factors::FactorWork;
 
 /// The outcome in figures, in the caller's units.
 #[derive(Debug, Clone, Serialize)]
