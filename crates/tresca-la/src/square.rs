@@ -3,8 +3,8 @@
 //! A matrix of order 5000 is 200 MB. Copying its triangle into the order that suits best takes as long as
 //! ten multiplications; reading eight rows at a time where they lie is as fast as reading the copy.
 
-use crate::SymmetricEntries;
 use crate::kernels::{self, Chunk, Isa, LANES};
+use crate::operator::SymmetricEntries;
 use crate::vector::{axpy, dot};
 use rayon::prelude::*;
 

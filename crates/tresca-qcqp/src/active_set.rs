@@ -1,6 +1,7 @@
 //! Which blocks are free and which are bound.
 
-use crate::sets::{Block, BlockSet, BlockState};
+use crate::sets::block::{Block, BlockSet};
+use crate::sets::convex_set::BlockState;
 use serde::{Deserialize, Serialize};
 
 /// How many blocks are in which state.

@@ -125,6 +125,17 @@ pub enum QcqpError {
         /// The entry.
         value: f64,
     },
+    /// The engine works on the trailing block of every body's factor, and a solver has none.
+    #[error(
+        "the solver of a body has no factor to take a trailing block from, which this engine needs"
+    )]
+    NoTrailingBlock,
+    /// The system of a [`Tangent`](crate::Tangent) could not be solved as well as was asked for.
+    #[error("the tangent system was solved to a relative residual of {residual:.1e} only")]
+    Tangent {
+        /// The residual, relative to the right-hand side.
+        residual: f64,
+    },
 }
 
 /// Checks that `values` has length `expected` and holds finite numbers only.
@@ -148,5 +159,22 @@ pub(crate) fn check_vector(
             value: values[index],
         }),
         None => Ok(()),
+    }
+}
+
+/// Checks the length of something that has one entry per row of G.
+pub(crate) fn check_rows(
+    what: &'static str,
+    found: usize,
+    expected: usize,
+) -> Result<(), QcqpError> {
+    if found == expected {
+        Ok(())
+    } else {
+        Err(QcqpError::Rows {
+            what,
+            expected,
+            found,
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Being told about iterations.
 
-use crate::IterationRecord;
+use crate::record::IterationRecord;
 use std::ops::ControlFlow;
 
 /// Is told about every iteration and may ask to stop.

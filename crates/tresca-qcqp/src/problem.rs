@@ -1,10 +1,11 @@
 //! The dual problem.
 
-use crate::coulomb::CoulombLaw;
-use crate::equality::Balance;
-use crate::error::check_vector;
-use crate::methods::Memory;
-use crate::{CoulombBound, DualOperator, Equality, ProductSet, QcqpError};
+use crate::coulomb::law::{CoulombBound, CoulombLaw};
+use crate::equality::balance::{Balance, Equality};
+use crate::error::{QcqpError, check_vector};
+use crate::newton::operator_memory::OperatorMemory;
+use crate::operator::dual_operator::DualOperator;
+use crate::sets::product::ProductSet;
 
 /// min ½ λᵀAλ − λᵀb over λ ∈ Λ, perhaps with an equality constraint, perhaps with bounds in Λ
 /// that follow from λ (Coulomb's law).
@@ -23,7 +24,7 @@ pub struct DualProblem<'a> {
     pub(crate) set: ProductSet,
     pub(crate) law: CoulombLaw,
     pub(crate) balance: Option<Balance>,
-    pub(crate) memory: Option<Memory>,
+    pub(crate) memory: Option<OperatorMemory>,
 }
 
 impl<'a> DualProblem<'a> {

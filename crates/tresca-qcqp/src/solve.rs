@@ -1,13 +1,19 @@
 //! One solve from the outside: checks, what is to be known of A, the way to the solution, the outcome.
 
-use crate::coulomb::{self, Frictional};
-use crate::equality::{self, Balanced};
-use crate::error::check_vector;
-use crate::methods::{self, Memory};
-use crate::session::{Ending, Inner, Journal, Session};
-use crate::{
-    DualProblem, DualSolution, Observer, ProductSet, QcqpError, Settings, Start, spectrum,
-};
+use crate::coulomb;
+use crate::coulomb::frictional::Frictional;
+use crate::equality::multiplier::{self, Balanced};
+use crate::error::{QcqpError, check_rows, check_vector};
+use crate::inner_problem::{Ending, Inner, Journal};
+use crate::methods::run::zero_ending;
+use crate::newton::operator_memory::OperatorMemory;
+use crate::observe::Observer;
+use crate::problem::DualProblem;
+use crate::session::Session;
+use crate::sets::product::ProductSet;
+use crate::settings::Settings;
+use crate::solution::DualSolution;
+use crate::start::Start;
 use tresca_la::vector::norm;
 
 /// Solves the problem by the method of the settings.
@@ -31,7 +37,7 @@ pub fn solve(
     if let Some(start) = start {
         check_vector("the start", start.lambda, problem.dim())?;
         if !start.multiplier.is_empty() {
-            equality::check_rows("the start", start.multiplier.len(), problem.equality_rows())?;
+            check_rows("the start", start.multiplier.len(), problem.equality_rows())?;
             check_vector("the start", start.multiplier, problem.equality_rows())?;
         }
     }
@@ -55,10 +61,7 @@ pub fn solve(
         balance,
         memory,
     } = problem;
-    let memory = match memory {
-        Some(memory) => memory,
-        none => none.insert(Memory::new(spectrum::estimate(&mut **operator)?)),
-    };
+    let memory = OperatorMemory::of(memory, &mut **operator)?;
     journal.n_a_setup = operator.tally().count - before.count;
     let mut session = Session {
         operator: &mut **operator,
@@ -91,7 +94,7 @@ fn solve_by_kind(session: &mut Session, problem: &Frictional, start: Option<Star
         balance,
     } = *problem;
     if !law.is_empty() {
-        return coulomb::solve(session, problem, start);
+        return coulomb::solve::solve(session, problem, start);
     }
     let tolerance = session.settings.tolerance;
     let lambda = start.map(|start| start.lambda);
@@ -106,7 +109,7 @@ fn solve_by_kind(session: &mut Session, problem: &Frictional, start: Option<Star
         tolerance,
     };
     let alpha = start.map_or(&[][..], |start| start.multiplier);
-    equality::solve(session, &balanced, lambda, &balance.coordinates(alpha))
+    multiplier::solve(session, &balanced, lambda, &balance.coordinates(alpha))
 }
 
 /// λ = 0 when it solves the problem: P(ρ b) = 0 for one ρ is P(ρ b) = 0 for all, so no σmax is
@@ -124,7 +127,7 @@ fn at_rest(problem: &DualProblem) -> Option<Ending> {
     if !balanced || y.iter().any(|&v| v != 0.0) {
         return None;
     }
-    let mut ending = methods::zero_ending(&problem.rhs, set);
+    let mut ending = zero_ending(&problem.rhs, set);
     ending.multiplier = vec![0.0; problem.equality_rows()];
     Some(ending)
 }

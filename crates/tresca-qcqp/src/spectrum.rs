@@ -1,6 +1,7 @@
 //! The largest eigenvalue of A, by a few Lanczos steps.
 
-use crate::{DualOperator, QcqpError};
+use crate::error::QcqpError;
+use crate::operator::dual_operator::DualOperator;
 use tresca_la::krylov::lanczos;
 use tresca_la::vector::dot;
 
@@ -36,6 +37,7 @@ pub(crate) fn estimate(operator: &mut dyn DualOperator) -> Result<Spectrum, Qcqp
         ref products,
         ..
     } = estimate;
+    let allowed = operator.accuracy().max(ALLOWED_DEFECT);
     let size = products
         .iter()
         .map(|w| dot(w, w).sqrt())
@@ -45,12 +47,12 @@ pub(crate) fn estimate(operator: &mut dyn DualOperator) -> Result<Spectrum, Qcqp
     }
     for (i, v) in basis.iter().enumerate() {
         let curvature = dot(v, &products[i]) / size;
-        if curvature < -ALLOWED_DEFECT {
+        if curvature < -allowed {
             return Err(QcqpError::NotPositive { curvature });
         }
         for (w, product) in basis.iter().zip(products).take(i) {
             let asymmetry = (dot(v, product) - dot(w, &products[i])).abs() / size;
-            if asymmetry > ALLOWED_DEFECT {
+            if asymmetry > allowed {
                 return Err(QcqpError::NotSymmetric { asymmetry });
             }
         }

@@ -1,6 +1,6 @@
 //! Where a solve starts.
 
-use crate::DualSolution;
+use crate::solution::DualSolution;
 
 /// A start for [`solve`](crate::solve()): forces, and the multiplier of the equality constraint.
 #[derive(Clone, Copy, Debug)]

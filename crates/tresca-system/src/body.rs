@@ -3,17 +3,13 @@
 
 use std::borrow::Cow;
 use std::sync::Arc;
-use std::time::Instant;
 
-use rayon::prelude::*;
 use tresca_fem::rigid::Grounding;
 use tresca_la::vector::{axpy, dot};
 use tresca_la::{
-    FactorError, Ordering, OrderingError, Parallelism, SparseCholesky, SymmetricMatrix,
+    BodySolver, FactorError, Ordering, OrderingError, Parallelism, SparseCholesky, SymmetricMatrix,
 };
 use tresca_qcqp::operator::Coupling;
-
-use crate::description::FactorWork;
 
 /// A body over its free dofs.
 #[derive(Debug, Clone)]
@@ -91,7 +87,7 @@ impl Body {
         &self,
         contact_last: bool,
         parallelism: Parallelism,
-    ) -> Result<SparseCholesky, FactorFailure> {
+    ) -> Result<Arc<dyn BodySolver>, FactorFailure> {
         let stiffness = self.regular_stiffness();
         let ordering = if contact_last {
             Ordering::nested_dissection_with_trailing(&stiffness, &self.trailing)
@@ -99,81 +95,8 @@ impl Body {
             Ordering::nested_dissection(&stiffness)
         };
         let ordering = ordering.map_err(FactorFailure::Ordering)?;
-        SparseCholesky::factor(&stiffness, ordering, parallelism).map_err(FactorFailure::Factor)
-    }
-}
-
-/// The threads for each of some bodies that are worked on side by side: they share them, and a body that
-/// gets none of its own runs on one.
-pub(crate) fn share_of_threads(bodies: usize) -> Parallelism {
-    Parallelism::Threads((rayon::current_num_threads() / bodies.max(1)).max(1))
-}
-
-/// The factors of some bodies.
-pub struct Factors {
-    /// One per body, `Arc` because the factored engine multiplies with it, too.
-    pub bodies: Vec<Arc<SparseCholesky>>,
-    /// Sizes and speed.
-    pub work: FactorWork,
-}
-
-impl Factors {
-    /// Orders and factors all bodies (floating ones grounded), side by side.
-    ///
-    /// `contact_last` orders the contact dofs last, which the condensed and the explicit engine need;
-    /// without it the ordering is plain nested dissection.
-    ///
-    /// # Errors
-    /// When a stiffness matrix is not positive definite, with the number of the body.
-    pub fn new(bodies: &[Body], contact_last: bool) -> Result<Self, (usize, FactorFailure)> {
-        let start = Instant::now();
-        let parallelism = share_of_threads(bodies.len());
-        let factors = bodies
-            .par_iter()
-            .enumerate()
-            .map(|(index, body)| {
-                body.factor(contact_last, parallelism)
-                    .map_err(|failure| (index, failure))
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        Ok(Self::of(factors, start.elapsed().as_secs_f64()))
-    }
-
-    /// Factors that are there, with the seconds that they took.
-    pub(crate) fn of(factors: Vec<SparseCholesky>, seconds: f64) -> Self {
-        let work = FactorWork {
-            nonzeros: factors
-                .iter()
-                .map(|factor| factor.factor_nonzeros() as f64)
-                .sum(),
-            flops: factors.iter().map(SparseCholesky::flops).sum(),
-            seconds,
-        };
-        Self {
-            bodies: factors.into_iter().map(Arc::new).collect(),
-            work,
-        }
-    }
-
-    /// K⁺(f − Bᵀλ) of each body, λ in the solver's unknowns μ.
-    pub(crate) fn displacements(
-        &self,
-        bodies: &[Body],
-        loads: &[Vec<f64>],
-        mu: &[f64],
-    ) -> Vec<Vec<f64>> {
-        let minus: Vec<f64> = mu.iter().map(|x| -x).collect();
-        bodies
-            .par_iter()
-            .zip(&self.bodies)
-            .zip(loads)
-            .map(|((body, factor), load)| {
-                let mut u = load.clone();
-                body.coupling.add_transposed_product(&minus, &mut u);
-                factor.solve_in_place(&mut u);
-                u
-            })
-            .collect()
+        let factor = SparseCholesky::factor(&stiffness, ordering, parallelism);
+        Ok(Arc::new(factor.map_err(FactorFailure::Factor)?))
     }
 }
 

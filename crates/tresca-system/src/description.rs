@@ -3,6 +3,8 @@
 use serde::Serialize;
 use tresca_qcqp::Engine;
 
+use crate::factors::FactorWork;
+
 /// Sizes of a problem and how it is going to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Description {
@@ -29,24 +31,6 @@ pub struct EngineChoice {
     pub engine: Engine,
     /// Why this one.
     pub reason: String,
-}
-
-/// What the factorisation cost.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FactorWork {
-    /// Nonzeros of all factors.
-    pub nonzeros: f64,
-    /// Floating-point operations of the numerical factorisations.
-    pub flops: f64,
-    /// Seconds for ordering, symbolic analysis and numerical factorisation of all bodies.
-    pub seconds: f64,
-}
-
-impl FactorWork {
-    /// GFLOP/s reached, ordering and analysis included.
-    pub fn gigaflops_per_second(&self) -> f64 {
-        self.flops / self.seconds / 1e9
-    }
 }
 
 /// Wall-clock seconds.

@@ -8,8 +8,9 @@ use tresca_la::Parallelism;
 use tresca_qcqp::operator::{Condensed, Factored};
 use tresca_qcqp::{DualProblem, Engine, Equality, QcqpError};
 
-use crate::body::{Body, Factors};
+use crate::body::Body;
 use crate::description::EngineChoice;
+use crate::factors::Factors;
 use crate::layout::Layout;
 
 /// Up to this many dual unknowns A is formed by default, and its active blocks are factored: no
@@ -71,10 +72,10 @@ pub(crate) fn dual_problem(
                 .map(|(body, factor)| (&body.stiffness, Arc::clone(factor), body.coupling.clone()));
             DualProblem::new(Factored::new(parts.collect(), &patches), rhs, set)
         }
-        Engine::Condensed => DualProblem::new(condensed(bodies, factors, patches), rhs, set),
+        Engine::Condensed => DualProblem::new(condensed(bodies, factors, patches)?, rhs, set),
         Engine::Explicit | Engine::Auto => {
             let all = Parallelism::Threads(rayon::current_num_threads());
-            let explicit = condensed(bodies, factors, patches).explicit(all);
+            let explicit = condensed(bodies, factors, patches)?.explicit(all);
             DualProblem::new(explicit, rhs, set)
         }
     }?
@@ -85,12 +86,22 @@ pub(crate) fn dual_problem(
     }
 }
 
-fn condensed(bodies: &[Body], factors: &Factors, patches: Vec<Vec<usize>>) -> Condensed {
+fn condensed(
+    bodies: &[Body],
+    factors: &Factors,
+    patches: Vec<Vec<usize>>,
+) -> Result<Condensed, QcqpError> {
     let parts = bodies.par_iter().zip(&factors.bodies);
-    let parts = parts
-        .map(|(body, factor)| (factor.trailing(), body.coupling.restricted(body.trailing())))
+    let parts: Option<Vec<_>> = parts
+        .map(|(body, solver)| {
+            Some((
+                solver.trailing()?,
+                body.coupling.restricted(body.trailing()),
+            ))
+        })
         .collect();
-    Condensed::new(parts, patches)
+    let parts = parts.ok_or(QcqpError::NoTrailingBlock)?;
+    Ok(Condensed::new(parts, patches))
 }
 
 /// G and S of all floating bodies, e left at zero; `None` when every body is held.
@@ -122,4 +133,48 @@ fn equality(bodies: &[Body], unknowns: usize) -> Option<Equality> {
         rhs: vec![0.0; count],
         metric,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::factors::FactorWork;
+    use faer::MatMut;
+    use faer::sparse::{SparseColMat, SparseRowMat, Triplet};
+    use tresca_la::{BodySolver, SolverWork, SymmetricMatrix};
+    use tresca_qcqp::operator::Coupling;
+
+    /// K⁻¹ = 1, without a factor.
+    struct Factorless;
+
+    impl BodySolver for Factorless {
+        fn order(&self) -> usize {
+            1
+        }
+
+        fn solve_many(&self, _: MatMut<'_, f64>) {}
+
+        fn work(&self) -> SolverWork {
+            SolverWork::default()
+        }
+    }
+
+    #[test]
+    fn engines_that_need_a_factor_refuse_solvers_without_one() {
+        let entry = [Triplet::new(0, 0, 1.0)];
+        let stiffness = SparseColMat::try_new_from_triplets(1, 1, &entry).unwrap();
+        let coupling = SparseRowMat::try_new_from_triplets(1, 1, &entry).unwrap();
+        let stiffness = SymmetricMatrix::from_lower(stiffness);
+        let body = Body::new(stiffness, None, Coupling::new(coupling));
+        let factors = Factors {
+            bodies: vec![Arc::new(Factorless)],
+            work: FactorWork {
+                nonzeros: 0.0,
+                flops: 0.0,
+                seconds: 0.0,
+            },
+        };
+        let refused = condensed(&[body], &factors, vec![vec![0]]);
+        assert!(matches!(refused, Err(QcqpError::NoTrailingBlock)));
+    }
 }

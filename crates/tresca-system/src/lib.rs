@@ -2,7 +2,8 @@
 //!
 //! | module | what it has |
 //! |---|---|
-//! | [`body`] | a body as K, its grounding, its share of B; factors; displacements from forces |
+//! | [`body`] | a body as K, its grounding, its share of B |
+//! | [`factors`] | K⁻¹ of all bodies; displacements from forces |
 //! | [`layout`] | where every pair stands in λ, and which convex sets its law becomes |
 //! | [`engine`] | how A is applied, and why so |
 //! | [`load_case`] | what acts in one solve: loads, gaps, laws, the slip of the step before |
@@ -14,10 +15,10 @@
 
 pub mod body;
 pub mod certificate;
-
 pub mod description;
 mod ellipse;
 pub mod engine;
+pub mod factors;
 pub mod layout;
 pub mod load_case;
 pub mod matrices;

@@ -7,9 +7,10 @@ use tresca_contact::Sliding;
 use tresca_la::vector::dot;
 use tresca_qcqp::{DualProblem, DualSolution, QcqpError, Settings, Status};
 
-use crate::body::{Body, Factors, add_motions, at_rest, load_on_motions};
+use crate::body::{Body, add_motions, at_rest, load_on_motions};
 use crate::description::{Description, EngineChoice, Times};
 use crate::engine::dual_problem;
+use crate::factors::Factors;
 use crate::layout::Layout;
 use crate::load_case::{self, LoadCase, WarmStart};
 use crate::measures::{ElasticSums, largest};

@@ -61,10 +61,9 @@ pub use tresca_qcqp::{
     CoulombMethod, DualSolution, Engine, Figures, InnerSolver, IterationRecord, Method, OptionInfo,
     Settings, StateCounts, Status, record,
 };
-pub use tresca_system::body::Factors;
 pub use tresca_system::certificate::{self, Certificate};
-pub use tresca_system::description::EngineChoice;
-pub use tresca_system::description::{Description, FactorWork, Times};
+pub use tresca_system::description::{Description, EngineChoice, Times};
+pub use tresca_system::factors::{FactorWork, Factors};
 pub use tresca_system::layout::Layout;
 pub use tresca_system::progress::{self, Progress, Silent, Stage, StepInfo, Stopped};
 

@@ -3,9 +3,10 @@
 use std::time::Instant;
 
 use tresca_qcqp::{Engine, Settings};
-use tresca_system::body::{Body, FactorFailure, Factors};
+use tresca_system::body::{Body, FactorFailure};
 use tresca_system::description::{Description, Times};
 use tresca_system::engine::choose_engine;
+use tresca_system::factors::Factors;
 use tresca_system::load_case::WarmStart;
 use tresca_system::prepared::{Parts, Prepared};
 use tresca_system::progress::{Progress, Silent, Stage, StepInfo, begin};

@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput};
 use tresca_fem::mesh::CellKind;
-use tresca_la::{Ordering, PackedLower, Parallelism, SparseCholesky};
+use tresca_la::{BodySolver, Ordering, PackedLower, Parallelism, SparseCholesky};
 
 use crate::brick::Brick;
 
@@ -38,7 +38,9 @@ pub fn run(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
             },
         );
         let ordering = order(face_last)?;
-        let flops = SparseCholesky::factor(&matrix, ordering.clone(), parallelism)?.flops();
+        let flops = SparseCholesky::factor(&matrix, ordering.clone(), parallelism)?
+            .work()
+            .flops;
         // Elements per second are FLOP/s.
         group.throughput(Throughput::Elements(flops as u64));
         group.bench_function(
@@ -55,7 +57,9 @@ pub fn run(criterion: &mut Criterion) -> Result<(), Box<dyn Error>> {
     group.finish();
 
     let factor = SparseCholesky::factor(&matrix, order(true)?, parallelism)?;
-    let trailing = factor.trailing();
+    let trailing = factor
+        .trailing()
+        .ok_or("the factor has no trailing block")?;
     let packed = PackedLower::from_lower(trailing.inverse(parallelism).as_ref());
     let bytes = trailing.factor().bytes() as u64;
     let x: Vec<f64> = (0..trailing.order()).map(|i| (i as f64).sin()).collect();

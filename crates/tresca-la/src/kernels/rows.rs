@@ -1,6 +1,6 @@
 //! The loops over eight rows of a square matrix that lies whole in memory.
 
-use super::{Chunk, Isa, Kind, LANES, for_each_isa, multiply_add};
+use super::isa::{Chunk, Isa, Kind, LANES, for_each_isa, multiply_add};
 
 for_each_isa! {
     /// y ← y + Rᵀ x, and returns R z, for eight rows R of as many chunks as z and y: both products with

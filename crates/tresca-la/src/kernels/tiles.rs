@@ -3,7 +3,7 @@
 //! A panel is a column of 8×8 tiles, each stored by columns. Eight columns are worked on together, so
 //! that the vector along the rows is read and written once per eight columns.
 
-use super::{Chunk, Isa, Kind, LANES as EDGE, for_each_isa, multiply_add};
+use super::isa::{Chunk, Isa, Kind, LANES as EDGE, for_each_isa, multiply_add};
 
 /// An 8×8 block stored by columns, on its own cache lines.
 #[derive(Clone, Debug)]

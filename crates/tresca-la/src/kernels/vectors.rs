@@ -1,6 +1,6 @@
 //! The loops over vectors.
 
-use super::{Isa, Kind, LANES, for_each_isa, multiply_add};
+use super::isa::{Isa, Kind, LANES, for_each_isa, multiply_add};
 
 for_each_isa! {
     /// xᵀy in eight interleaved partial sums, for vectors of the same length.

@@ -5,7 +5,7 @@
 //! Comput. 13 (1992). Two products per iteration (one when the first half
 //! already reaches the goal).
 
-use crate::LinearOperator;
+use crate::operator::LinearOperator;
 use crate::vector::{axpy, dot, norm};
 
 /// Why the method stopped.

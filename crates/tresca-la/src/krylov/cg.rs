@@ -9,7 +9,7 @@
 //! [`ConjugateGradient::accept`] go there, shortens the step and stops, or
 //! stops. [`solve`] is the loop for callers that need none of this.
 
-use crate::LinearOperator;
+use crate::operator::LinearOperator;
 use crate::vector::{axpy, dot, norm};
 
 /// What the next step would be.

@@ -5,7 +5,7 @@
 //! θ + ‖residual‖ is the one of Y. Zhou and R.-C. Li, *Bounding the spectrum of
 //! large Hermitian matrices*, Linear Algebra Appl. 435 (2011).
 
-use crate::LinearOperator;
+use crate::operator::LinearOperator;
 use crate::vector::{axpy, dot, norm};
 use faer::{Mat, Side};
 

@@ -1,6 +1,6 @@
 //! The simple preconditioners.
 
-use crate::LinearOperator;
+use crate::operator::LinearOperator;
 
 /// No preconditioning: z = r.
 #[derive(Clone, Copy, Debug)]

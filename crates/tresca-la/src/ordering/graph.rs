@@ -1,7 +1,8 @@
 //! The adjacency graph of a symmetric matrix, compressed to groups of dofs.
 
-use super::{OrderingError, metis};
-use crate::SymmetricMatrix;
+use super::error::OrderingError;
+use super::metis;
+use crate::symmetric::SymmetricMatrix;
 use metis_sys::idx_t;
 use std::ops::Range;
 

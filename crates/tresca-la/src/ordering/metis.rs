@@ -1,6 +1,6 @@
 //! The one call into METIS that the project needs.
 
-use super::OrderingError;
+use super::error::OrderingError;
 use metis_sys as ffi;
 use std::sync::Mutex;
 

@@ -5,55 +5,15 @@
 //! the elimination tree, which changes no fill and gives the factorisation its
 //! largest supernodes.
 
+pub(crate) mod error;
 mod graph;
 mod layers;
 mod metis;
 
-use crate::SymmetricMatrix;
+use crate::symmetric::SymmetricMatrix;
+use error::OrderingError;
 use graph::Graph;
 use layers::Layers;
-use thiserror::Error;
-
-/// Why no ordering was made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum OrderingError {
-    /// A trailing dof does not exist.
-    #[error("trailing dof {dof} is out of range: the matrix has order {order}")]
-    TrailingOutOfRange {
-        /// The dof as given.
-        dof: usize,
-        /// Order of the matrix.
-        order: usize,
-    },
-    /// A trailing dof is listed twice.
-    #[error("trailing dof {dof} is listed twice")]
-    TrailingRepeated {
-        /// The dof as given.
-        dof: usize,
-    },
-    /// METIS counts vertices and edges in 32 bits.
-    #[error(
-        "the matrix graph is too large for METIS ({entries} adjacency entries, at most {})",
-        i32::MAX
-    )]
-    TooLarge {
-        /// Adjacency entries (two per edge) of the compressed graph.
-        entries: usize,
-    },
-    /// METIS found no memory.
-    #[error("METIS ran out of memory while ordering {vertices} vertices")]
-    OutOfMemory {
-        /// Vertices of the compressed graph.
-        vertices: usize,
-    },
-    /// METIS refused; not expected for any input.
-    #[error("METIS failed with status {status}")]
-    Metis {
-        /// Return code of `METIS_NodeND`.
-        status: i32,
-    },
-}
 
 /// A symmetric permutation that keeps the Cholesky factor sparse.
 #[derive(Clone, Debug)]

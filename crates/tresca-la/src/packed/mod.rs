@@ -8,8 +8,8 @@
 
 mod pages;
 
-use crate::SymmetricEntries;
 use crate::kernels::{self, Chunk, Isa, LANES as EDGE, Tile};
+use crate::operator::SymmetricEntries;
 use faer::{Mat, MatRef};
 
 /// A lower triangle of order n in n(n + 8)/2 entries: of a triangular matrix L,

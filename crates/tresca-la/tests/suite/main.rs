@@ -2,6 +2,7 @@
 //!
 //! One binary for all of them: what they share is compiled and linked once.
 
+mod body_solvers;
 mod cholesky;
 mod common;
 mod krylov;

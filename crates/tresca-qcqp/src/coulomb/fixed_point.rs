@@ -1,12 +1,15 @@
 //! The fixed point iteration: problems with frozen bounds, one after another.
 
+use super::frictional::{Bounded, Frictional, first_multiplier};
 use super::history::History;
-use super::{Bounded, CoulombLaw, Frictional, first_multiplier, relative_change};
-use crate::Status;
-use crate::equality::{self, Reach};
-use crate::session::{Ending, Session};
-use crate::sets::ProductSet;
+use super::law::{CoulombBound, CoulombLaw, relative_change};
+use crate::equality::attainable::AttainableForces;
+use crate::equality::{first_guess as rigid, multiplier};
+use crate::inner_problem::Ending;
+use crate::session::Session;
+use crate::sets::product::ProductSet;
 use crate::start::Start;
+use crate::status::Status;
 
 /// A bound that nothing reaches: everything sticks.
 const STICK: f64 = 1e300;
@@ -122,19 +125,19 @@ fn first_guess(
 ) -> Result<Guess, Box<Ending>> {
     let Frictional { rhs, law, .. } = *problem;
     let mut set = problem.set.clone();
-    let mut multiplier = first_multiplier(problem, start);
+    let mut beta = first_multiplier(problem, start);
     let mut lambda = start.map(|start| start.lambda.to_vec());
     let mut bounds = vec![0.0; law.bounds_of_blocks().len()];
     if let Some(balance) = problem.balance {
-        let impossible = equality::without_equilibrium(session, rhs, &set, Some(law), balance);
+        let impossible = multiplier::without_equilibrium(session, rhs, &set, Some(law), balance);
         if let Some(ending) = impossible {
             return Err(Box::new(ending));
         }
         if start.is_none() {
-            let cones = Reach::new(&set, Some(law));
-            let (beta, landed) = equality::land(session, rhs, balance, &cones);
+            let cones = AttainableForces::new(&set, Some(law));
+            let (motion, landed) = rigid::guess(session, rhs, balance, &cones);
             bounds = law.bounds(&landed);
-            multiplier = beta;
+            beta = motion;
             lambda = Some(landed);
         }
     }
@@ -144,7 +147,7 @@ fn first_guess(
     Ok(Guess {
         set,
         lambda,
-        multiplier,
+        multiplier: beta,
     })
 }
 
@@ -195,7 +198,7 @@ fn scaled(law: &CoulombLaw, set: &mut ProductSet, lambda: &[f64], bounds: &[f64]
 fn widen(law: &CoulombLaw, set: &mut ProductSet, last: &Ending, times: usize) {
     let share = 1.0 - 0.5_f64.powi(times as i32);
     let follows = law.bounds(&last.point.lambda);
-    let needed = |(own, follows): (&super::CoulombBound, f64)| {
+    let needed = |(own, follows): (&CoulombBound, f64)| {
         let friction = &last.point.lambda[last.set.blocks()[own.block].range()];
         let size = friction.iter().map(|f| f * f).sum::<f64>().sqrt();
         follows + share * (size - follows).max(0.0)

@@ -1,7 +1,7 @@
 //! Do the bounds settle?
 
-use super::relative_change;
-use crate::Status;
+use super::law::relative_change;
+use crate::status::Status;
 
 /// Outer iterations without a smaller change after which the bounds are said not to settle.
 const PATIENCE: usize = 10;

@@ -2,11 +2,13 @@
 //!
 //! The hook is in the loop of GRSSN. With an equality constraint the multiplier is updated outside.
 
+use super::frictional::{Bounded, Frictional, first_multiplier};
 use super::history::{LONGEST_CYCLE, RETURNED};
-use super::{Bounded, Frictional, first_multiplier};
-use crate::session::{Ending, Session};
+use crate::inner_problem::Ending;
+use crate::record::IterationRecord;
+use crate::session::Session;
 use crate::start::Start;
-use crate::{IterationRecord, Status};
+use crate::status::Status;
 
 /// Solves the problem from the bounds of the set when there is a start, from no friction without.
 pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {

@@ -11,8 +11,9 @@
 //! Either the distance falls to rounding, or v
 //! becomes a proof: ẽᵀv > sup λᵀG̃ᵀv over Λ.
 
-use super::winkler::Winkler;
-use super::{Balance, Reach};
+use super::attainable::AttainableForces;
+use super::balance::Balance;
+use super::foundation::Foundation;
 use tresca_la::vector::{dot, norm};
 
 /// ‖ẽ − G̃λ‖/‖ẽ‖ that counts as equilibrium.
@@ -32,7 +33,7 @@ pub(crate) enum Equilibrium {
 }
 
 /// Looks for a λ in `reach` that balances the load.
-pub(crate) fn find(balance: &Balance, reach: &Reach) -> Equilibrium {
+pub(crate) fn find(balance: &Balance, reach: &AttainableForces) -> Equilibrium {
     let dim = balance.rows.first().map_or(0, Vec::len);
     let load = norm(&balance.load);
     if load == 0.0 {
@@ -59,7 +60,7 @@ pub(crate) fn find(balance: &Balance, reach: &Reach) -> Equilibrium {
     let mut lambda = vec![0.0; dim];
     let mut v = balance.load.clone();
     for _ in 0..MAX_PROXIMAL_STEPS {
-        let step = Winkler {
+        let step = Foundation {
             balance,
             reach,
             centre: &lambda,
@@ -81,7 +82,7 @@ pub(crate) fn find(balance: &Balance, reach: &Reach) -> Equilibrium {
 /// ẽᵀv > sup λᵀG̃ᵀv.
 fn proves_impossible(
     balance: &Balance,
-    reach: &Reach,
+    reach: &AttainableForces,
     columns: &[f64],
     load: f64,
     v: &[f64],

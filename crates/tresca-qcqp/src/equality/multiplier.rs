@@ -1,13 +1,17 @@
 //! The outer iteration over the multiplier.
 
-use super::ascent::{Ascent, Station};
+use super::attainable::AttainableForces;
+use super::balance::Balance;
+use super::compliance::compliance;
+use super::dual_ascent::{DualAscent, Station};
 use super::equilibrium::{self, Equilibrium};
-use super::{Balance, Reach, landing};
-use crate::Status;
-use crate::coulomb::CoulombLaw;
-use crate::methods::{Point, compliance, relative};
-use crate::session::{Ending, Inner, Session};
-use crate::sets::ProductSet;
+use super::first_guess;
+use crate::coulomb::law::CoulombLaw;
+use crate::inner_problem::{Ending, Inner};
+use crate::point::{Point, relative};
+use crate::session::Session;
+use crate::sets::product::ProductSet;
+use crate::status::Status;
 use tresca_la::vector::dot;
 
 /// Tolerance of the first inner problem, and the part of the outer residual that the next one is
@@ -46,13 +50,13 @@ pub(crate) fn solve(
         return ending;
     }
     let least_reference = balance.spread(&balance.load);
-    let mut ascent = Ascent::new();
+    let mut ascent = DualAscent::new();
     let mut set = problem.set.clone();
     let (mut beta, mut lambda) = match start {
         Some(start) => (multiplier.to_vec(), Some(start.to_vec())),
         None => {
-            let reach = Reach::new(&set, law);
-            let (beta, lambda) = landing::guess(session, problem.rhs, balance, &reach);
+            let reach = AttainableForces::new(&set, law);
+            let (beta, lambda) = first_guess::guess(session, problem.rhs, balance, &reach);
             if let Some(law) = law {
                 law.bound(&mut set, &law.bounds(&lambda));
             }
@@ -139,7 +143,7 @@ pub(crate) fn without_equilibrium(
     law: Option<&CoulombLaw>,
     balance: &Balance,
 ) -> Option<Ending> {
-    let reach = Reach::new(set, law);
+    let reach = AttainableForces::new(set, law);
     // Nearest with respect to the diagonal of S: a push along one motion is then answered by that
     // motion, where S itself, which knows where the grounding sits, would mix in others.
     let diagonal = balance.with_diagonal_metric();
@@ -152,7 +156,7 @@ pub(crate) fn without_equilibrium(
         law.bound(&mut set, &law.bounds(&lambda));
         // A proof over friction cones moves along their surface, opening as it slides; with the bounds
         // of the nearest λ it slides.
-        let frozen = equilibrium::find(&diagonal, &Reach::new(&set, None));
+        let frozen = equilibrium::find(&diagonal, &AttainableForces::new(&set, None));
         if let Equilibrium::Impossible { motion: slide, .. } = frozen {
             motion = slide;
         }

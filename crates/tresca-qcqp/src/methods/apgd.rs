@@ -3,10 +3,9 @@
 //! Nesterov's method with the gradient restart of B. O'Donoghue and E. Candès,
 //! *Adaptive restart for accelerated gradient schemes*, Found. Comput. Math. 15 (2015).
 
-use super::point::gradient_step;
-use super::run::Step;
-use super::{Point, Run};
-use crate::Status;
+use super::run::{Run, Step};
+use crate::point::{Point, gradient_step};
+use crate::status::Status;
 
 /// λ⁺ = P_Λ(z − ρ r(z)), z⁺ = λ⁺ + β (λ⁺ − λ); one multiplication per
 /// iteration, since r is affine: r(z⁺) = r(λ⁺) + β (r(λ⁺) − r(λ)).

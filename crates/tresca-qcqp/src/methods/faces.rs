@@ -1,10 +1,12 @@
 //! What GRSSN does where the projection of its Newton point raises q: binding the blocks that left Λ, and
 //! walking from face to face.
 
-use super::grssn::rounding;
-use super::{Point, Run};
-use crate::ActiveSet;
-use crate::sets::{Block, BlockSet, BlockState, ProductSet};
+use super::run::Run;
+use crate::active_set::ActiveSet;
+use crate::point::Point;
+use crate::sets::block::{Block, BlockSet};
+use crate::sets::convex_set::BlockState;
+use crate::sets::product::ProductSet;
 
 /// Times that blocks which left Λ are bound and the system is solved again, in one step.
 const MAX_PIVOTS: usize = 10;
@@ -27,7 +29,7 @@ pub(super) fn pivot(
     let mut base = x.clone();
     for _ in 0..=MAX_PIVOTS {
         let trial = run.projected(&newton);
-        if trial.objective_change_from(x) <= rounding(run, lambda, &trial) {
+        if trial.objective_change_from(x) <= run.rounding(lambda, &trial) {
             return Some(trial);
         }
         let (smaller, bound) = without_those_that_left(&run.set, &active, &base, &newton, &trial)?;
@@ -94,7 +96,7 @@ pub(super) fn walk(
         if face > 0 {
             newton = newton_from(run, &base, &active);
             let trial = run.projected(&newton);
-            if trial.objective_change_from(&base) <= rounding(run, lambda, &trial) {
+            if trial.objective_change_from(&base) <= run.rounding(lambda, &trial) {
                 return (trial, 1.0);
             }
         }

@@ -5,11 +5,11 @@
 //! step alone has this rate and CG only lowers q further.
 
 use super::imssn::AdaptivePrecision;
-use super::inner::{Move, conjugate_gradients};
-use super::run::Step;
-use super::{Point, Run};
-use crate::Status;
-use crate::reduced::ReducedSpace;
+use super::run::{Run, Step};
+use crate::newton::reduced_space::ReducedSpace;
+use crate::newton::system::{Move, conjugate_gradients};
+use crate::point::Point;
+use crate::status::Status;
 use tresca_la::krylov::Identity;
 
 /// From P_Λ(λ − ρ r(λ)), CG on the active unknowns, which stops before an iterate leaves Λ.
@@ -36,13 +36,15 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
             set.contains(&trial)
         };
         let identity = &mut Identity(space.dim());
-        step = Step::full(conjugate_gradients(
-            run,
+        let spent = conjugate_gradients(
+            run.operator,
             &space,
             identity,
             &mut x,
             tolerance,
+            run.settings.max_inner_iterations,
             stays_inside,
-        ));
+        );
+        step = Step::full(spent.iterations);
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! From the projected gradient point x = P_Λ(λ − ρ r(λ)) a Newton step that
 //! keeps the curvature of the slip circles; its system is symmetric positive
-//! definite (see `reduced`), so one preconditioned CG per step suffices, and
+//! definite (see [`Tangent`]), so one preconditioned CG per step suffices, and
 //! convergence is superlinear. The step counts only if it does not raise q above
 //! q(x); x itself has the guarantee of GIMSSN: globally R-linear.
 //!
@@ -12,15 +12,14 @@
 //! point counts. If that bound too many of them, the method walks from face to face, downhill all the way (see `faces`).
 
 use super::faces::{downhill, pivot, walk};
-use super::inner::{Move, conjugate_gradients, direct};
-use super::memory::NewtonMemory;
-use super::preconditioner::Preconditioner;
-use super::run::Step;
-use super::{Point, Run};
-use crate::reduced::ReducedSpace;
-use crate::sets::ProductSet;
-use crate::{ActiveSet, Status};
-use tresca_la::vector::norm;
+use super::run::{Run, Step};
+use crate::active_set::ActiveSet;
+use crate::newton::operator_memory::NewtonMemory;
+use crate::newton::preconditioner::Preconditioner;
+use crate::newton::system::{Move, conjugate_gradients};
+use crate::newton::tangent::Tangent;
+use crate::point::Point;
+use crate::status::Status;
 
 /// Part of the last reduction of the reduced gradient that the next inner system is solved to.
 const FORCING_RATIO: f64 = 0.5;
@@ -46,25 +45,29 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
         previous = run.relative;
         let mut inner = 0;
         let mut newton_from = |run: &mut Run, base: &Point, active: &ActiveSet| {
-            let space = tangent_space(&run.set, active, base);
+            let solver = run.settings.inner_solver;
+            let tangent = Tangent::at_point(run.operator, solver, &run.set, active, base);
             let mut newton = base.clone();
-            if direct(run, &space, &mut newton) {
+            if tangent.step(run.operator, &mut newton) {
                 inner += 1;
                 return newton;
             }
-            let mut preconditioner = Preconditioner::new(&space, model, recycled, workspace);
+            let space = tangent.space();
+            let mut preconditioner = Preconditioner::new(space, model, recycled, workspace);
             let keep = |_: &Point, step: &Move| {
                 recycled.offer(step.direction, step.product);
                 true
             };
-            inner += conjugate_gradients(
-                run,
-                &space,
+            let spent = conjugate_gradients(
+                run.operator,
+                space,
                 &mut preconditioner,
                 &mut newton,
                 tolerance,
+                run.settings.max_inner_iterations,
                 keep,
             );
+            inner += spent.iterations;
             newton
         };
         let newton = newton_from(run, &x, &active);
@@ -97,7 +100,7 @@ fn projected_gradient_point(run: &mut Run, lambda: &Point) -> (Point, ActiveSet)
         let fails = if run.follows_coulomb() {
             curves_too_much(lambda, &x, run.rho)
         } else {
-            x.objective_change_from(lambda) > rounding(run, lambda, &x)
+            x.objective_change_from(lambda) > run.rounding(lambda, &x)
         };
         if !fails {
             return (x, active);
@@ -118,16 +121,6 @@ fn curves_too_much(lambda: &Point, x: &Point, rho: f64) -> bool {
     curvature > 2.0 * (1.0 + 1e-8) / rho * square
 }
 
-/// Z and C at x, where slipping pairs are on their circles: c̃ = max(−n̂ᵀr, 0)/g
-/// with the normal n̂ = x/g, the slip per friction force there.
-pub(super) fn tangent_space(set: &ProductSet, active: &ActiveSet, x: &Point) -> ReducedSpace {
-    let Point { lambda, gradient } = x;
-    ReducedSpace::with_tangents(set, active, lambda, |i, bound| {
-        let radial = (lambda[i] * gradient[i] + lambda[i + 1] * gradient[i + 1]) / bound;
-        f64::max(-radial / bound, 0.0)
-    })
-}
-
 /// η: the inner residual relative to the current reduced gradient, after Eisenstat
 /// and Walker; never finer than the tolerance of the run can notice. Bounds that follow λ notice more.
 fn forcing(run: &Run, previous: f64) -> f64 {
@@ -142,16 +135,4 @@ fn forcing(run: &Run, previous: f64) -> f64 {
         return wanted;
     }
     wanted.max(OVERSOLVING * run.tolerance / run.relative)
-}
-
-/// What a computed change of q from `lambda` to `trial` may be wrong by. The part
-/// in |λ|ᵀ|r| is needed: a projected pair is on its circle to rounding only, which
-/// moves q by more than a step does once the reduced gradient is below 1e-8.
-pub(super) fn rounding(run: &Run, lambda: &Point, trial: &Point) -> f64 {
-    let (mut moved, mut size) = (0.0, 0.0);
-    for (i, l) in lambda.lambda.iter().enumerate() {
-        moved += (trial.lambda[i] - l).powi(2);
-        size += (l * lambda.gradient[i]).abs();
-    }
-    f64::EPSILON * (16.0 * moved.sqrt() * norm(run.rhs) + 32.0 * size)
 }

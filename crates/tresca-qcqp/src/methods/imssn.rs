@@ -1,10 +1,11 @@
 //! IMSSN: MSSN with CG of adaptive precision.
 
-use super::inner::{conjugate_gradients, full_accuracy};
-use super::run::Step;
-use super::{Point, Run};
-use crate::reduced::ReducedSpace;
-use crate::{Settings, Status};
+use super::run::{Run, Step};
+use crate::newton::reduced_space::ReducedSpace;
+use crate::newton::system::conjugate_gradients;
+use crate::point::Point;
+use crate::settings::Settings;
+use crate::status::Status;
 use tresca_la::krylov::Identity;
 
 /// The falling tolerance of IMSSN and GIMSSN, relative to err⁰:
@@ -31,7 +32,7 @@ impl AdaptivePrecision {
         self.tolerance = f64::min(r_tol * error / first, c_fact * self.tolerance);
         // The tail is linear and long, the tolerance falls geometrically: unchecked, it would end
         // far below what the run is asked for.
-        f64::max(self.tolerance * first, full_accuracy(run))
+        f64::max(self.tolerance * first, run.full_accuracy())
     }
 }
 
@@ -52,13 +53,15 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         let fixed = run.with_bound_blocks_fixed(&x.lambda, &active, &y);
         x = run.point_unless(fixed, &x);
         let identity = &mut Identity(space.dim());
-        step = Step::full(conjugate_gradients(
-            run,
+        let spent = conjugate_gradients(
+            run.operator,
             &space,
             identity,
             &mut x,
             tolerance,
+            run.settings.max_inner_iterations,
             |_, _| true,
-        ));
+        );
+        step = Step::full(spent.iterations);
     }
 }

@@ -4,11 +4,12 @@
 //! pairs get λτ⁺ = g ŷ and the rest is an unconstrained minimisation of q:
 //! CG to full accuracy.
 
-use super::inner::{conjugate_gradients, direct, full_accuracy};
-use super::run::Step;
-use super::{Point, Run};
-use crate::Status;
-use crate::reduced::ReducedSpace;
+use super::run::{Run, Step};
+use crate::newton::reduced_space::ReducedSpace;
+use crate::newton::system::conjugate_gradients;
+use crate::newton::tangent::Tangent;
+use crate::point::Point;
+use crate::status::Status;
 use tresca_la::krylov::Identity;
 
 /// λ⁺ = argmin q with λν = 0 where open and λτ = g ŷ where slipping.
@@ -26,19 +27,23 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         let space = ReducedSpace::free(&run.set, &active);
         let fixed = run.with_bound_blocks_fixed(&x.lambda, &active, &y);
         x = run.point_unless(fixed, &x);
-        step = if direct(run, &space, &mut x) {
+        let tangent = Tangent::new(run.operator, run.settings.inner_solver, space);
+        step = if tangent.step(run.operator, &mut x) {
             Step::full(1)
         } else {
-            let tolerance = full_accuracy(run);
+            let tolerance = run.full_accuracy();
+            let space = tangent.space();
             let identity = &mut Identity(space.dim());
-            Step::full(conjugate_gradients(
-                run,
-                &space,
+            let spent = conjugate_gradients(
+                run.operator,
+                space,
                 identity,
                 &mut x,
                 tolerance,
+                run.settings.max_inner_iterations,
                 |_, _| true,
-            ))
+            );
+            Step::full(spent.iterations)
         };
     }
 }

@@ -1,14 +1,19 @@
 //! What every method needs: the problem, the one measure, the records, the verdict.
 
-use super::point::{
-    Point, gradient_step, objective, objective_rounding, point_at, reduced_gradient, relative,
+use crate::active_set::ActiveSet;
+use crate::inner_problem::{Ending, Inner, Journal};
+use crate::observe::Observer;
+use crate::operator::dual_operator::DualOperator;
+use crate::point::{
+    Point, change_rounding, gradient_step, objective, objective_rounding, point_at,
+    reduced_gradient, relative,
 };
-use crate::session::{Ending, Inner, Journal};
-use crate::sets::{BlockState, ConvexSet};
-use crate::{
-    ActiveSet, CoulombMethod, DualOperator, IterationRecord, Method, Observer, ProductSet,
-    Settings, Status,
-};
+use crate::record::IterationRecord;
+use crate::sets::convex_set::{BlockState, ConvexSet};
+use crate::sets::product::ProductSet;
+use crate::settings::{CoulombMethod, Method, Settings};
+use crate::status::Status;
+use tresca_la::vector::norm;
 
 /// Iterations without progress after which bounds that follow every Newton step are given up for the fixed
 /// point. Where the loop does well it needs about this many in all.
@@ -197,6 +202,19 @@ impl<'a> Run<'a> {
         self.relative = relative(norm, self.reference);
     }
 
+    /// The residual (absolute) that "solved to full accuracy" means.
+    pub fn full_accuracy(&self) -> f64 {
+        let relative = self.settings.inner_tolerance * self.tolerance;
+        // Below this the product with A is not to be trusted.
+        let floor = 4.0 * self.operator.accuracy() * norm(self.rhs);
+        (relative * self.reference).max(floor)
+    }
+
+    /// What a computed change of q from `lambda` to `trial` may be wrong by.
+    pub fn rounding(&self, lambda: &Point, trial: &Point) -> f64 {
+        change_rounding(lambda, trial, self.rhs, self.operator.accuracy())
+    }
+
     /// Records the feasible `point`, tells the observer, and says whether the run is over.
     pub fn judge(&mut self, point: &Point, step: Step) -> Option<Status> {
         let (norm, active) = reduced_gradient(&self.set, point, 1.0 / self.sigma);
@@ -279,7 +297,7 @@ impl<'a> Run<'a> {
     /// Progress is a smaller figure, or a lower objective beyond rounding, than ever before. Under
     /// bounds that change the objective says nothing.
     fn note_progress(&mut self, judged: &Judged, iteration: usize) {
-        let rounding = objective_rounding(&judged.point, self.rhs);
+        let rounding = objective_rounding(&judged.point, self.rhs, self.operator.accuracy());
         if !self.follows_coulomb() && judged.objective < self.lowest_objective - rounding {
             self.lowest_objective = judged.objective;
             self.last_progress = iteration;

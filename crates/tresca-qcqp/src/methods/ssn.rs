@@ -4,10 +4,11 @@
 //! (I − G (I − ρA)) δ = P_Λ(y) − λ at y = λ − ρ r(λ). Nonsymmetric where pairs
 //! slip, so BiCGSTAB: two multiplications per inner iteration.
 
-use super::inner::full_accuracy;
-use super::run::Step;
-use super::{Point, Run};
-use crate::{DualOperator, ProductSet, Status};
+use super::run::{Run, Step};
+use crate::operator::dual_operator::DualOperator;
+use crate::point::Point;
+use crate::sets::product::ProductSet;
+use crate::status::Status;
 use tresca_la::LinearOperator;
 use tresca_la::krylov::{Identity, bicgstab};
 
@@ -68,7 +69,7 @@ fn newton_direction(
     workspace: &mut bicgstab::Workspace,
 ) -> (Vec<f64>, usize) {
     // The rows are those of the reduced gradient times ρ.
-    let tolerance = full_accuracy(run) * run.rho;
+    let tolerance = run.full_accuracy() * run.rho;
     let limit = run.settings.max_inner_iterations;
     let rho = run.rho;
     let slanted = vec![0.0; y.len()];
@@ -104,9 +105,9 @@ fn newton_direction(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::operator::Dense;
-    use crate::reduced::{ReducedOperator, ReducedSpace};
-    use crate::sets::{BlockState, ConvexSet};
+    use crate::newton::reduced_space::{ReducedOperator, ReducedSpace};
+    use crate::operator::dense::Dense;
+    use crate::sets::convex_set::{BlockState, ConvexSet};
     use proptest::prelude::*;
     use tresca_la::PackedLower;
     use tresca_la::krylov::cg::{self, ConjugateGradient};

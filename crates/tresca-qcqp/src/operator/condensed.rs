@@ -1,26 +1,21 @@
 //! A through the Schur complements on the contact dofs.
 
+use super::bodies::Bodies;
+use super::coupling::Coupling;
+use super::dense::Dense;
+use super::dual_operator::{DualOperator, Tally};
 use super::local_model::{self, LocalModel};
-use super::{Coupling, Dense, DualOperator, Tally};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use rayon::prelude::*;
 use tresca_la::{PackedLower, Parallelism, TrailingBlock};
-
-/// One body: its factor on the contact dofs, and B_i on the same dofs.
-struct Body {
-    trailing: TrailingBlock,
-    coupling: Coupling,
-    displacement: Vec<f64>,
-    product: Vec<f64>,
-}
 
 /// A = Σ B_i (L_cc L_ccᵀ)⁻¹ B_iᵀ: with the contact dofs ordered last, the
 /// trailing block of the sparse factor is all of it that A needs. One
 /// multiplication costs two dense triangular solves per body; the bodies are
 /// computed side by side and summed in their order.
 pub struct Condensed {
-    bodies: Vec<Body>,
+    bodies: Bodies<TrailingBlock>,
     groups: Vec<Vec<usize>>,
     tally: Tally,
 }
@@ -34,24 +29,8 @@ impl Condensed {
     /// # Panics
     /// When the sizes do not fit, there is no body, or `groups` is no partition.
     pub fn new(bodies: Vec<(TrailingBlock, Coupling)>, groups: Vec<Vec<usize>>) -> Self {
-        let rows = super::common_rows(bodies.iter().map(|(_, coupling)| coupling));
-        super::assert_partition(&groups, rows);
-        let body = |(trailing, coupling): (TrailingBlock, Coupling)| {
-            assert_eq!(
-                trailing.order(),
-                coupling.dofs(),
-                "B must have the trailing dofs as columns"
-            );
-            let displacement = vec![0.0; coupling.dofs()];
-            Body {
-                trailing,
-                coupling,
-                displacement,
-                product: vec![0.0; rows],
-            }
-        };
         Self {
-            bodies: bodies.into_iter().map(body).collect(),
+            bodies: Bodies::new(bodies.into_iter(), TrailingBlock::order, &groups),
             groups,
             tally: Tally::default(),
         }
@@ -66,7 +45,7 @@ impl Condensed {
         let inverses: Vec<Mat<f64>> = self
             .bodies
             .iter()
-            .map(|body| body.trailing.inverse(parallelism))
+            .map(|body| body.solver.inverse(parallelism))
             .collect();
         // A few columns at a time, so that they need not all be held twice.
         const COLUMNS: usize = 64;
@@ -108,16 +87,11 @@ impl Condensed {
 
 impl DualOperator for Condensed {
     fn dim(&self) -> usize {
-        self.bodies[0].coupling.rows()
+        self.bodies.rows()
     }
 
     fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        self.bodies.par_iter_mut().for_each(|body| {
-            body.coupling.transposed_mul(x, &mut body.displacement);
-            body.trailing.solve_in_place(&mut body.displacement);
-            body.coupling.mul(&body.displacement, &mut body.product);
-        });
-        super::sum_in_order(self.bodies.iter().map(|body| &body.product[..]), y);
+        self.bodies.multiply(x, y, TrailingBlock::solve_in_place);
     }
 
     fn tally(&mut self) -> &mut Tally {
@@ -125,10 +99,9 @@ impl DualOperator for Condensed {
     }
 
     fn local_model(&self) -> LocalModel {
-        let couplings: Vec<&Coupling> = self.bodies.iter().map(|body| &body.coupling).collect();
-        local_model::from_groups(&self.groups, &couplings, |body, dofs| {
+        local_model::from_groups(&self.groups, &self.bodies.couplings(), |body, dofs| {
             // S_JJ = L_J: L_J:ᵀ
-            let factor = self.bodies[body].trailing.factor();
+            let factor = self.bodies.get(body).solver.factor();
             let width = dofs.last().map_or(0, |last| last + 1);
             let rows = Mat::from_fn(dofs.len(), width, |i, l| {
                 if l <= dofs[i] {

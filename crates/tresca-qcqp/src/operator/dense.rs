@@ -1,6 +1,7 @@
 //! A as a dense matrix.
 
-use super::{DualOperator, LocalModel, Tally};
+use super::dual_operator::{DualOperator, Tally};
+use super::local_model::LocalModel;
 use tresca_la::{PackedLower, SymmetricEntries};
 
 /// An explicit symmetric matrix A; one multiplication reads its triangle once.

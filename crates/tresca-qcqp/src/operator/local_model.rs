@@ -1,6 +1,6 @@
 //! A cheap model of A near the diagonal.
 
-use super::Coupling;
+use super::coupling::Coupling;
 use faer::linalg::matmul::matmul;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Accum, Mat, Par, Side};

@@ -1,6 +1,6 @@
 //! { ‖x‖ ≤ g }: friction in three dimensions.
 
-use super::{BlockState, ConvexSet};
+use super::convex_set::{BlockState, ConvexSet};
 
 /// The disc { x ∈ ℝ² : ‖x‖ ≤ g }, g ≥ 0: free where ‖y‖ ≤ g (stick), else bound
 /// to the circle (slip). With g = 0 it is the point 0 and always bound.

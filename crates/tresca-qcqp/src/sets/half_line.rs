@@ -1,6 +1,6 @@
 //! [0, ∞): a contact that can only push.
 
-use super::{BlockState, ConvexSet};
+use super::convex_set::{BlockState, ConvexSet};
 
 /// The half-line [0, ∞): free where y > 0 (closed), else bound to 0 (open).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! [−g, g]: friction in two dimensions.
 
-use super::{BlockState, ConvexSet};
+use super::convex_set::{BlockState, ConvexSet};
 
 /// The interval [−g, g], g ≥ 0: free where |y| ≤ g (stick), else bound to ±g (slip).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! ℝ: no constraint.
 
-use super::{BlockState, ConvexSet};
+use super::convex_set::{BlockState, ConvexSet};
 
 /// The whole line ℝ: an unknown without a constraint (a tied pair).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

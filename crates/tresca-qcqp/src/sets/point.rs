@@ -1,6 +1,6 @@
 //! {0}: an unknown that is always zero.
 
-use super::{BlockState, ConvexSet};
+use super::convex_set::{BlockState, ConvexSet};
 
 /// The point 0: a component of a pair along which supports let nothing move, so that no force acts. Always
 /// bound, and counted neither as sticking nor as slipping.

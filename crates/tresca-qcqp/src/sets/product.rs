@@ -1,87 +1,12 @@
 //! Λ: the product of the blocks.
 
-use super::{BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Point};
-use crate::{ActiveSet, QcqpError};
-use std::ops::Range;
-
-/// One factor of the product.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum BlockSet {
-    /// ℝ.
-    Line(Line),
-    /// [0, ∞).
-    HalfLine(HalfLine),
-    /// [−g, g].
-    Interval(Interval),
-    /// ‖x‖ ≤ g in ℝ².
-    Disc(Disc),
-    /// {0}.
-    Point(Point),
-}
-
-impl BlockSet {
-    /// The set as an object.
-    fn geometry(&self) -> &dyn ConvexSet {
-        match self {
-            BlockSet::Line(set) => set,
-            BlockSet::HalfLine(set) => set,
-            BlockSet::Interval(set) => set,
-            BlockSet::Disc(set) => set,
-            BlockSet::Point(set) => set,
-        }
-    }
-
-    /// The bound g of an interval or a disc.
-    pub fn bound(&self) -> Option<f64> {
-        match *self {
-            BlockSet::Interval(Interval { bound }) | BlockSet::Disc(Disc { bound }) => Some(bound),
-            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => None,
-        }
-    }
-
-    /// The same set with another bound, where it has one.
-    pub(crate) fn with_bound(self, bound: f64) -> Self {
-        match self {
-            BlockSet::Interval(_) => BlockSet::Interval(Interval { bound }),
-            BlockSet::Disc(_) => BlockSet::Disc(Disc { bound }),
-            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => self,
-        }
-    }
-}
-
-impl ConvexSet for BlockSet {
-    fn dimension(&self) -> usize {
-        self.geometry().dimension()
-    }
-    fn project(&self, y: &mut [f64]) {
-        self.geometry().project(y);
-    }
-    fn contains(&self, x: &[f64]) -> bool {
-        self.geometry().contains(x)
-    }
-    fn classify(&self, y: &[f64]) -> BlockState {
-        self.geometry().classify(y)
-    }
-    fn slant(&self, y: &[f64], h: &mut [f64]) {
-        self.geometry().slant(y, h);
-    }
-}
-
-/// A factor and where its components stand in λ.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Block {
-    /// Index of its first component; a disc's second one follows.
-    pub start: usize,
-    /// The set.
-    pub set: BlockSet,
-}
-
-impl Block {
-    /// Its components.
-    pub fn range(&self) -> Range<usize> {
-        self.start..self.start + self.set.dimension()
-    }
-}
+use super::block::{Block, BlockSet};
+use super::convex_set::ConvexSet;
+use super::disc::Disc;
+use super::half_line::HalfLine;
+use super::interval::Interval;
+use crate::active_set::ActiveSet;
+use crate::error::QcqpError;
 
 /// Λ = product of blocks; every unknown belongs to exactly one.
 #[derive(Clone, Debug, PartialEq)]

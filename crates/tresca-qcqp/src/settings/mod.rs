@@ -4,7 +4,7 @@ mod options;
 
 pub use options::OptionInfo;
 
-use crate::QcqpError;
+use crate::error::QcqpError;
 use options::{OptionValue, Range, settings, words};
 
 words! {

@@ -157,10 +157,10 @@ macro_rules! words {
         }
 
         impl std::str::FromStr for $type {
-            type Err = $crate::QcqpError;
+            type Err = $crate::error::QcqpError;
             fn from_str(word: &str) -> Result<Self, Self::Err> {
                 Self::ALL.iter().copied().find(|choice| choice.name() == word).ok_or_else(|| {
-                    $crate::QcqpError::Choice {
+                    $crate::error::QcqpError::Choice {
                         what: $what,
                         found: word.to_owned(),
                         allowed: [$($word),+].join(", "),
@@ -225,10 +225,10 @@ macro_rules! settings {
             }
 
             /// Checks every option against its own range.
-            fn check_ranges(&self) -> Result<(), crate::QcqpError> {
+            fn check_ranges(&self) -> Result<(), crate::error::QcqpError> {
                 $(
                     if !self.$name.is_within(&$range) {
-                        return Err(crate::QcqpError::Setting {
+                        return Err(crate::error::QcqpError::Setting {
                             name: stringify!($name),
                             value: self.$name.show(),
                             allowed: <$type as OptionValue>::allowed(&$range),

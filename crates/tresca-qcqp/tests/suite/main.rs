@@ -9,5 +9,6 @@ mod equality;
 mod operators;
 mod outcomes;
 mod sets;
+mod tangent;
 mod theory;
 mod work;

@@ -5,7 +5,7 @@ use crate::common::{distance, dot, norm, settings};
 use faer::sparse::{SparseColMat, SparseRowMat, Triplet};
 use faer::{Mat, Side, prelude::Solve};
 use std::sync::Arc;
-use tresca_la::{Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
+use tresca_la::{BodySolver, Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 use tresca_qcqp::operator::{Condensed, Coupling, Dense, Factored, LocalModel, groups};
 use tresca_qcqp::sets::{BlockSet, Disc, Interval};
 use tresca_qcqp::{
@@ -93,9 +93,9 @@ fn factored(patches: &[Vec<usize>]) -> Factored {
     let stiffness: Vec<SymmetricMatrix> = bodies.iter().map(Body::symmetric).collect();
     let parts = bodies.iter().zip(&stiffness).map(|(body, stiffness)| {
         let ordering = Ordering::nested_dissection(stiffness).unwrap();
-        let cholesky =
-            Arc::new(SparseCholesky::factor(stiffness, ordering, Parallelism::Sequential).unwrap());
-        (stiffness, cholesky, body.coupling())
+        let cholesky = SparseCholesky::factor(stiffness, ordering, Parallelism::Sequential);
+        let solver: Arc<dyn BodySolver> = Arc::new(cholesky.unwrap());
+        (stiffness, solver, body.coupling())
     });
     Factored::new(parts.collect(), patches)
 }
@@ -109,7 +109,7 @@ fn condensed(patches: Vec<Vec<usize>>) -> Condensed {
         let ordering = Ordering::nested_dissection_with_trailing(&stiffness, &trailing).unwrap();
         let cholesky =
             SparseCholesky::factor(&stiffness, ordering, Parallelism::Sequential).unwrap();
-        (cholesky.trailing(), coupling.restricted(&trailing))
+        (cholesky.trailing().unwrap(), coupling.restricted(&trailing))
     });
     Condensed::new(parts.into(), patches)
 }
@@ -371,4 +371,53 @@ impl DualOperator for Boxed {
 #[should_panic(expected = "in no group")]
 fn groups_must_cover_every_unknown() {
     condensed(pairs()[1..].to_vec());
+}
+
+/// A solver that is off by a known part.
+struct Rough(Box<dyn BodySolver>);
+
+impl BodySolver for Rough {
+    fn order(&self) -> usize {
+        self.0.order()
+    }
+
+    fn solve_many(&self, mut columns: faer::MatMut<'_, f64>) {
+        self.0.solve_many(columns.as_mut());
+        columns *= faer::Scale(1.0 + 1e-6);
+    }
+
+    fn work(&self) -> tresca_la::SolverWork {
+        self.0.work()
+    }
+
+    fn accuracy(&self) -> f64 {
+        1e-6
+    }
+}
+
+#[test]
+fn a_sum_of_solves_is_as_accurate_as_the_worst_of_them_states() {
+    assert_eq!(factored(&patches()).accuracy(), f64::EPSILON);
+    assert_eq!(condensed(patches()).accuracy(), f64::EPSILON);
+    let bodies = bodies();
+    let stiffness: Vec<SymmetricMatrix> = bodies.iter().map(Body::symmetric).collect();
+    let parts = bodies.iter().zip(&stiffness).enumerate();
+    let parts = parts.map(|(number, (body, stiffness))| {
+        let ordering = Ordering::nested_dissection(stiffness).unwrap();
+        let exact = SparseCholesky::factor(stiffness, ordering, Parallelism::Sequential).unwrap();
+        let solver: Arc<dyn BodySolver> = if number == 0 {
+            Arc::new(Rough(Box::new(exact)))
+        } else {
+            Arc::new(exact)
+        };
+        (stiffness, solver, body.coupling())
+    });
+    let mut operator = Factored::new(parts.collect(), &patches());
+    assert_eq!(operator.accuracy(), 1e-6);
+    let exact = exact();
+    let x = normals(&mut rng(78), exact.nrows());
+    let mut y = vec![0.0; x.len()];
+    operator.apply(&x, &mut y);
+    let off = faer::ColRef::from_slice(&y) - &exact * faer::ColRef::from_slice(&x);
+    assert!(off.norm_l2() <= 1e-6 * exact.norm_l2() * faer::ColRef::from_slice(&x).norm_l2());
 }

@@ -1,10 +1,11 @@
 //! From the parts of K to bodies that can be factored.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use faer::sparse::{SparseRowMat, SymbolicSparseRowMat};
 use rayon::prelude::*;
-use tresca_la::{Parallelism, SparseCholesky, SymmetricMatrix};
+use tresca_la::{BodySolver, Parallelism, SymmetricMatrix};
 use tresca_qcqp::operator::Coupling;
 
 use super::error::AlgebraicError;
@@ -14,7 +15,11 @@ use super::matrix::Matrix;
 use super::note::Note;
 use super::parts::Stiffness;
 use super::problem::Kernel;
-use crate::body::{Body, FactorFailure, Factors, share_of_threads};
+use crate::body::{Body, FactorFailure};
+use crate::factors::{Factors, share_of_threads};
+
+/// The dofs of K that are a body's own, the body, its solver, and what there is to say of it.
+type FactoredPart = (Vec<usize>, Body, Arc<dyn BodySolver>, Vec<Note>);
 
 /// Parts up to this size are lumped into one body, and their kernels found by dense eigenvalues: supported
 /// dofs that were left in K are parts of size 1, and there may be thousands.
@@ -191,7 +196,7 @@ impl<'a> Draft<'a> {
         kernel: &Kernel,
         contact_last: bool,
         parallelism: Parallelism,
-    ) -> Result<(Vec<usize>, Body, SparseCholesky, Vec<Note>), AlgebraicError> {
+    ) -> Result<FactoredPart, AlgebraicError> {
         let given = matches!(kernel, Kernel::Given(_));
         let first = self.first();
         let large = self.is_large();
@@ -209,12 +214,12 @@ impl<'a> Draft<'a> {
         };
         let (dofs, body) = self.grounded(&kernels)?;
         let attempt = body.factor(contact_last, parallelism);
-        let regular = |factor: &SparseCholesky| {
+        let regular = |solver: &dyn BodySolver| {
             // Of small parts it is known by their eigenvalues.
-            !(large || given) || !kernel::is_singular(&body.regular_stiffness(), factor)
+            !(large || given) || !kernel::is_singular(&body.regular_stiffness(), solver)
         };
         match attempt {
-            Ok(factor) if regular(&factor) => return Ok((dofs, body, factor, notes)),
+            Ok(factor) if regular(&*factor) => return Ok((dofs, body, factor, notes)),
             Err(FactorFailure::Ordering(source)) => {
                 return Err(AlgebraicError::Ordering { dof: first, source });
             }

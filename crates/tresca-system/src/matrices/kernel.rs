@@ -7,7 +7,7 @@ use faer::Mat;
 use faer::Side;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 use tresca_la::vector::{axpy, dot, norm};
-use tresca_la::{Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
+use tresca_la::{BodySolver, Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 
 /// Eigenvalues of K̂ below this are zero. Rounding leaves some 1e-16 of a zero; no matrix that is to be
 /// solved with has true eigenvalues as small.
@@ -87,12 +87,12 @@ pub(super) fn of_small(k: &SymmetricMatrix) -> Result<Vec<Vec<f64>>, KernelFailu
 }
 
 /// Whether a factored matrix is singular up to rounding, by a few steps of inverse iteration.
-pub(super) fn is_singular(k: &SymmetricMatrix, factor: &SparseCholesky) -> bool {
+pub(super) fn is_singular(k: &SymmetricMatrix, solver: &dyn BodySolver) -> bool {
     let scales = scales(k);
     let mut x = start(k.order(), 0);
     for _ in 0..3 {
         x.iter_mut().zip(&scales).for_each(|(x, s)| *x *= s);
-        factor.solve_in_place(&mut x);
+        solver.solve_in_place(&mut x);
         x.iter_mut().zip(&scales).for_each(|(x, s)| *x *= s);
         let length = norm(&x);
         if !(length.is_finite() && length > 0.0) {
@@ -137,7 +137,7 @@ pub(super) fn of_large(
 fn iterate(
     k: &SymmetricMatrix,
     scales: &[f64],
-    factor: &SparseCholesky,
+    solver: &dyn BodySolver,
     count: usize,
 ) -> Vec<Vec<f64>> {
     let mut vectors: Vec<_> = (0..count).map(|seed| start(k.order(), seed)).collect();
@@ -147,7 +147,7 @@ fn iterate(
     for _ in 0..MOST_ITERATIONS {
         for v in &mut vectors {
             v.iter_mut().zip(scales).for_each(|(v, s)| *v *= s);
-            factor.solve_in_place(v);
+            solver.solve_in_place(v);
             v.iter_mut().zip(scales).for_each(|(v, s)| *v *= s);
         }
         orthonormalise(&mut vectors, 0.0);

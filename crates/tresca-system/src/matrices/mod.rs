@@ -21,8 +21,9 @@
 //! bounds are forces of the pair, not stresses. docs/bring-your-own-matrices.md has the same with files.
 //!
 //! ```
-//! use tresca::algebraic::{Law, Matrix, Problem, solve};
-//! use tresca::{Settings, Silent};
+//! use tresca_qcqp::Settings;
+//! use tresca_system::matrices::{Law, Matrix, Problem, solve};
+//! use tresca_system::progress::Silent;
 //!
 //! // A mass on two springs (1 N/m along the normal, 2 N/m along the tangent), 0.5 m above a rough wall.
 //! let k = Matrix::from_dense((2, 2), &[1.0, 0.0, 0.0, 2.0])?;

@@ -4,7 +4,7 @@ use faer::sparse::{SparseColMat, Triplet};
 use faer::{MatRef, Side};
 use serde::Serialize;
 use tresca_io::fclib::{Matrix, Problem};
-use tresca_la::{Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
+use tresca_la::{BodySolver, Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 
 use super::ProblemError;
 
@@ -25,7 +25,7 @@ pub(super) struct Reduced {
     /// q.
     pub q: Vec<f64>,
     pub facts: MatrixFacts,
-    mass: Option<SparseCholesky>,
+    mass: Option<Box<dyn BodySolver>>,
 }
 
 /// What W is like.
@@ -200,7 +200,7 @@ fn symmetrise(a: &mut [f64], order: usize) -> f64 {
 }
 
 /// The factor of ½(M + Mᵀ).
-fn factor(m: &Matrix) -> Result<SparseCholesky, ProblemError> {
+fn factor(m: &Matrix) -> Result<Box<dyn BodySolver>, ProblemError> {
     let largest = m.entries().iter().fold(0.0_f64, |a, e| a.max(e.2.abs()));
     // Every entry goes in half, and half into its mirror image: what is on the diagonal twice.
     let halves = m
@@ -232,5 +232,6 @@ fn factor(m: &Matrix) -> Result<SparseCholesky, ProblemError> {
     let symmetric = SymmetricMatrix::from_lower(lower);
     let ordering = Ordering::nested_dissection(&symmetric)?;
     let all = Parallelism::Threads(rayon::current_num_threads());
-    Ok(SparseCholesky::factor(&symmetric, ordering, all)?)
+    let factor = SparseCholesky::factor(&symmetric, ordering, all)?;
+    Ok(Box::new(factor))
 }

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use tresca_system::description::{Description, EngineChoice, FactorWork};
+use tresca_system::description::{Description, EngineChoice};
+use tresca_system::factors::FactorWork;
 
 /// Bodies and how A is applied.
 #[derive(Debug, Clone, Serialize)]

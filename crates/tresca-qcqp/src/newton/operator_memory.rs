@@ -1,14 +1,15 @@
 //! What is known of A. It outlives a solve: another right-hand side, other
 //! bounds or another multiplier change nothing about A.
 
-use super::recycle::RecycledProducts;
-use crate::DualOperator;
-use crate::operator::LocalModel;
-use crate::spectrum::Spectrum;
+use super::recycled_products::RecycledProducts;
+use crate::error::QcqpError;
+use crate::operator::dual_operator::DualOperator;
+use crate::operator::local_model::LocalModel;
+use crate::spectrum::{self, Spectrum};
 use tresca_la::vector::dot;
 
 /// The estimate of σmax, and what preconditions Newton systems.
-pub(crate) struct Memory {
+pub(crate) struct OperatorMemory {
     pub spectrum: Spectrum,
     newton: Option<NewtonMemory>,
 }
@@ -21,11 +22,25 @@ pub(crate) struct NewtonMemory {
     pub workspace: Vec<f64>,
 }
 
-impl Memory {
-    pub fn new(spectrum: Spectrum) -> Self {
+impl OperatorMemory {
+    fn new(spectrum: Spectrum) -> Self {
         Self {
             spectrum,
             newton: None,
+        }
+    }
+
+    /// What is kept already, or learnt now by a few products.
+    ///
+    /// # Errors
+    /// When A is zero, not symmetric, not positive semidefinite or not finite.
+    pub fn of<'m>(
+        kept: &'m mut Option<Self>,
+        operator: &mut dyn DualOperator,
+    ) -> Result<&'m mut Self, QcqpError> {
+        match kept {
+            Some(memory) => Ok(memory),
+            none => Ok(none.insert(Self::new(spectrum::estimate(operator)?))),
         }
     }
 

@@ -13,15 +13,18 @@
 //! symmetrised methods (MSSN and kin); with tangents taken at y = λ − ρ r(λ),
 //! x the bound blocks projected, and c̃ = (‖y‖/g − 1)/ρ, it *is* the step of SSN.
 
-use crate::sets::{BlockSet, BlockState, ProductSet};
-use crate::{ActiveSet, DualOperator};
+use crate::active_set::ActiveSet;
+use crate::operator::dual_operator::DualOperator;
+use crate::sets::block::BlockSet;
+use crate::sets::convex_set::BlockState;
+use crate::sets::product::ProductSet;
 use faer::{ColMut, Mat};
 use rayon::prelude::*;
 use tresca_la::{LinearOperator, SymmetricEntries};
 
 /// The direction in which a slipping pair may move.
 #[derive(Clone, Copy, Debug)]
-struct Tangent {
+struct CircleTangent {
     /// Index of the pair's first component.
     start: usize,
     /// Unit vector t.
@@ -34,7 +37,7 @@ struct Tangent {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ReducedSpace {
     units: Vec<usize>,
-    tangents: Vec<Tangent>,
+    tangents: Vec<CircleTangent>,
 }
 
 impl ReducedSpace {
@@ -68,7 +71,7 @@ impl ReducedSpace {
             let norm = normal[start].hypot(normal[start + 1]);
             let t = [-normal[start + 1] / norm, normal[start] / norm];
             let curvature = curvature(start, disc.bound);
-            space.tangents.push(Tangent {
+            space.tangents.push(CircleTangent {
                 start,
                 t,
                 curvature,

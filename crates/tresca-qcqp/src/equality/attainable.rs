@@ -1,15 +1,16 @@
-//! The set of forces that can hold a load.
+//! The contact forces that can be attained: the set in which a load must find its equilibrium.
 
-use crate::ProductSet;
-use crate::coulomb::CoulombLaw;
-use crate::sets::{Block, BlockSet, ConvexSet};
+use crate::coulomb::law::CoulombLaw;
+use crate::sets::block::{Block, BlockSet};
+use crate::sets::convex_set::ConvexSet;
+use crate::sets::product::ProductSet;
 
 /// Bounds from here on mean that nothing slips.
 const UNBOUNDED: f64 = 1e290;
 
 /// Λ, or what takes its place while the slip bounds are not known: with Coulomb's law every
 /// friction block and its normal force make the convex set ‖t‖ ≤ min(F n, limit).
-pub(crate) struct Reach {
+pub(crate) struct AttainableForces {
     pieces: Vec<Piece>,
 }
 
@@ -24,7 +25,7 @@ enum Piece {
     },
 }
 
-impl Reach {
+impl AttainableForces {
     /// The friction cones of the law where there is one, else Λ with its bounds as they are.
     pub fn new(set: &ProductSet, law: Option<&CoulombLaw>) -> Self {
         law.map_or_else(|| Self::frozen(set), |law| Self::cones(set, law))

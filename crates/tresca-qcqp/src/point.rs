@@ -1,7 +1,9 @@
 //! A point λ with its gradient, and what is measured there.
 
-use crate::sets::{BlockState, ConvexSet};
-use crate::{ActiveSet, DualOperator, ProductSet};
+use crate::active_set::ActiveSet;
+use crate::operator::dual_operator::DualOperator;
+use crate::sets::convex_set::{BlockState, ConvexSet};
+use crate::sets::product::ProductSet;
 use tresca_la::vector::{axpy, dot, norm};
 
 /// A point λ and the gradient r(λ) = Aλ − b there.
@@ -82,14 +84,26 @@ pub(crate) fn objective(point: &Point, rhs: &[f64]) -> f64 {
     0.5 * (dot(&point.lambda, &point.gradient) - dot(&point.lambda, rhs))
 }
 
-/// What q may be wrong by when evaluated in floating point.
-pub(crate) fn objective_rounding(point: &Point, rhs: &[f64]) -> f64 {
+/// What q may be wrong by when evaluated in floating point, with products of the given accuracy.
+pub(crate) fn objective_rounding(point: &Point, rhs: &[f64], accuracy: f64) -> f64 {
     let terms = point.lambda.iter().zip(point.gradient.iter().zip(rhs));
     let size: f64 = terms.map(|(l, (r, b))| l.abs() * (r.abs() + b.abs())).sum();
-    16.0 * f64::EPSILON * size
+    16.0 * accuracy * size
 }
 
 /// A norm against the reference; with a zero reference only a zero norm is 0.
 pub(crate) fn relative(norm: f64, reference: f64) -> f64 {
     if norm == 0.0 { 0.0 } else { norm / reference }
+}
+
+/// What a computed change of q from `lambda` to `trial` may be wrong by. The part
+/// in |λ|ᵀ|r| is needed: a projected pair is on its circle to rounding only, which
+/// moves q by more than a step does once the reduced gradient is below 1e-8.
+pub(crate) fn change_rounding(lambda: &Point, trial: &Point, rhs: &[f64], accuracy: f64) -> f64 {
+    let (mut moved, mut size) = (0.0, 0.0);
+    for (i, l) in lambda.lambda.iter().enumerate() {
+        moved += (trial.lambda[i] - l).powi(2);
+        size += (l * lambda.gradient[i]).abs();
+    }
+    accuracy * (16.0 * moved.sqrt() * norm(rhs) + 32.0 * size)
 }

@@ -12,9 +12,9 @@
 //! M⁻¹ = L⁻ᵀ (I − U (G + UᵀU)⁻¹ Uᵀ) L⁻¹.
 //! ```
 
-use super::recycle::RecycledProducts;
-use crate::operator::{LocalBlock, LocalModel};
-use crate::reduced::{Column, ReducedSpace, galerkin};
+use super::recycled_products::RecycledProducts;
+use super::reduced_space::{Column, ReducedSpace, galerkin};
+use crate::operator::local_model::{LocalBlock, LocalModel};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::linalg::solvers::Llt;
@@ -25,7 +25,7 @@ use tresca_la::vector::{axpy, dot};
 use tresca_la::{LinearOperator, PackedLower};
 
 /// M⁻¹.
-pub(super) struct Preconditioner<'a> {
+pub(crate) struct Preconditioner<'a> {
     local: LocalFactor,
     low_rank: Option<LowRank<'a>>,
 }
@@ -251,7 +251,7 @@ impl<'a> LowRank<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sets::ProductSet;
+    use crate::sets::product::ProductSet;
     use faer::Col;
     use faer::linalg::solvers::Solve;
 

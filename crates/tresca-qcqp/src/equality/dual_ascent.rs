@@ -10,7 +10,7 @@
 //! is Newton's step for ε → 0, and for ε = 1 as careful as the method of multipliers (δβ = ẽ − G̃λ),
 //! which always converges. A body that has not landed has H = 0: it then falls in strides that grow.
 
-use crate::methods::Compliance;
+use super::compliance::Compliance;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{ColMut, Side};
 use tresca_la::vector::{axpy, dot, norm};
@@ -57,13 +57,13 @@ enum Trial {
 }
 
 /// The ascent of d.
-pub(super) struct Ascent {
+pub(super) struct DualAscent {
     base: Option<(Station, Direction)>,
     trial: Trial,
     epsilon: f64,
 }
 
-impl Ascent {
+impl DualAscent {
     pub fn new() -> Self {
         Self {
             base: None,

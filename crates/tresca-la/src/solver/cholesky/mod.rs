@@ -5,16 +5,18 @@
 //! trailing block.
 
 mod permute;
-mod trailing;
 
-pub use trailing::TrailingBlock;
-
-use crate::{Ordering, Parallelism, SymmetricMatrix};
+use super::trailing::TrailingBlock;
+use super::{BodySolver, SolverWork};
+use crate::ordering::Ordering;
+use crate::packed::PackedLower;
+use crate::parallelism::Parallelism;
+use crate::symmetric::SymmetricMatrix;
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::sparse::FaerError;
 use faer::sparse::linalg::cholesky::{simplicial, supernodal};
-use faer::{Conj, MatMut};
+use faer::{Conj, Mat, MatMut};
 use thiserror::Error;
 
 /// Why there is no factor.
@@ -126,62 +128,92 @@ impl SparseCholesky {
         })
     }
 
-    /// Order n of the matrix.
-    pub fn order(&self) -> usize {
-        self.ordering.order()
-    }
-
     /// The ordering in which the matrix was eliminated.
     pub fn ordering(&self) -> &Ordering {
         &self.ordering
-    }
-
-    /// Floating-point operations of the factorisation, Σ_j |L_:j|² (a
-    /// multiplication and an addition count as two). What the factorisation
-    /// spends on explicit zeros in merged supernodes is not counted.
-    pub fn flops(&self) -> f64 {
-        self.flops
-    }
-
-    /// Nonzeros of L, diagonal included.
-    pub fn factor_nonzeros(&self) -> u64 {
-        self.nonzeros
     }
 
     /// Bytes of the stored factor, explicit zeros of merged supernodes included.
     pub fn bytes(&self) -> usize {
         std::mem::size_of_val(&self.values[..])
     }
+}
 
-    /// x ← K⁻¹ x, in original numbering. Allocates two vectors of length n.
-    ///
-    /// # Panics
-    /// When x has not the length n.
-    pub fn solve_in_place(&self, x: &mut [f64]) {
-        assert_eq!(x.len(), self.order());
+impl BodySolver for SparseCholesky {
+    fn order(&self) -> usize {
+        self.ordering.order()
+    }
+
+    /// Allocates as many numbers as there are in the columns.
+    fn solve_many(&self, mut columns: MatMut<'_, f64>) {
+        assert_eq!(columns.nrows(), self.order());
         let to_original = self.ordering.to_original();
-        let mut permuted: Vec<f64> = to_original.iter().map(|&old| x[old]).collect();
+        let mut permuted = Mat::from_fn(columns.nrows(), columns.ncols(), |i, j| {
+            columns[(to_original[i], j)]
+        });
         let par = self.parallelism.to_faer();
-        let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<f64>(1, par));
+        let scratch = self
+            .symbolic
+            .solve_in_place_scratch::<f64>(columns.ncols(), par);
+        let mut memory = MemBuffer::new(scratch);
         supernodal::SupernodalLltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
             Conj::No,
-            MatMut::from_column_major_slice_mut(&mut permuted, x.len(), 1),
+            permuted.as_mut(),
             par,
             MemStack::new(&mut memory),
         );
-        for (&old, value) in to_original.iter().zip(permuted) {
-            x[old] = value;
+        for j in 0..columns.ncols() {
+            for (i, &old) in to_original.iter().enumerate() {
+                columns[(old, j)] = permuted[(i, j)];
+            }
         }
     }
 
-    /// The factor L_cc of the Schur complement on the trailing dofs, copied out
-    /// (8 bytes per entry of the triangle). Of order 0 without trailing dofs.
-    pub fn trailing(&self) -> TrailingBlock {
-        TrailingBlock::extract(
+    fn trailing(&self) -> Option<TrailingBlock> {
+        Some(trailing_block(
             supernodal::SupernodalLltRef::new(&self.symbolic, &self.values),
             self.ordering.trailing(),
-        )
+        ))
     }
+
+    /// Σ_j |L_:j|² operations; what the factorisation spends on explicit zeros in merged supernodes is not counted.
+    fn work(&self) -> SolverWork {
+        SolverWork {
+            nonzeros: self.nonzeros,
+            flops: self.flops,
+        }
+    }
+}
+
+/// Copies the last `order` rows and columns out of a supernodal factor,
+/// over however many supernodes they are spread.
+fn trailing_block(
+    source: supernodal::SupernodalLltRef<'_, usize, f64>,
+    order: usize,
+) -> TrailingBlock {
+    let symbolic = source.symbolic();
+    let first = symbolic.ncols() - order;
+    let mut factor = PackedLower::zeros(order);
+    for s in (0..symbolic.n_supernodes()).rev() {
+        let end = symbolic.supernode_end()[s];
+        if end <= first {
+            break;
+        }
+        let begin = symbolic.supernode_begin()[s];
+        let node = source.supernode(s);
+        let (values, pattern) = (node.val(), node.pattern());
+        for column in begin.max(first)..end {
+            let values = values.col(column - begin);
+            for row in column..end {
+                factor.set(row - first, column - first, values[row - begin]);
+            }
+            // The pattern below lies beyond `end`, so beyond `first` too.
+            for (k, &row) in pattern.iter().enumerate() {
+                factor.set(row - first, column - first, values[end - begin + k]);
+            }
+        }
+    }
+    TrailingBlock::new(factor)
 }
 
 /// What is known of a factorisation before it is done.

@@ -11,7 +11,8 @@
 //! (X. Zhao, D. Sun, K.-C. Toh, *A Newton–CG augmented Lagrangian method*, SIAM J. Optim. 20 (2010)).
 //! It costs no multiplication by A.
 
-use super::{Balance, Reach};
+use super::attainable::AttainableForces;
+use super::balance::Balance;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{ColMut, Mat, Side};
 use tresca_la::vector::{axpy, dot, norm};
@@ -25,9 +26,9 @@ const SOLVED: f64 = 1e-9;
 const ROUNDING: f64 = 1e-15;
 
 /// The foundation.
-pub(super) struct Winkler<'a> {
+pub(super) struct Foundation<'a> {
     pub balance: &'a Balance,
-    pub reach: &'a Reach,
+    pub reach: &'a AttainableForces,
     /// λ₀.
     pub centre: &'a [f64],
     /// δ.
@@ -45,7 +46,7 @@ struct Trial {
     value: f64,
 }
 
-impl Winkler<'_> {
+impl Foundation<'_> {
     /// y = λ₀ + G̃ᵀβ/δ and the forces P(y).
     pub fn forces(&self, beta: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let mut y = vec![0.0; self.centre.len()];

@@ -3,8 +3,9 @@
 //! A body may hang far above its support, and slide far before anything holds it. Both are found on
 //! a Winkler foundation, for the price of one multiplication that gives the foundation its compliance.
 
-use super::winkler::Winkler;
-use super::{Balance, Reach};
+use super::attainable::AttainableForces;
+use super::balance::Balance;
+use super::foundation::Foundation;
 use crate::session::Session;
 use tresca_la::vector::{dot, norm};
 
@@ -19,7 +20,7 @@ pub(crate) fn guess(
     session: &mut Session,
     rhs: &[f64],
     balance: &Balance,
-    reach: &Reach,
+    reach: &AttainableForces,
 ) -> (Vec<f64>, Vec<f64>) {
     let mut own_rhs = rhs.to_vec();
     let minus_load: Vec<f64> = balance.load.iter().map(|e| -e).collect();
@@ -44,13 +45,13 @@ pub(crate) fn guess(
 /// Equilibrium on a foundation of the given compliance; moves β, returns λ.
 fn land(
     balance: &Balance,
-    reach: &Reach,
+    reach: &AttainableForces,
     rhs: &[f64],
     compliance: f64,
     beta: &mut Vec<f64>,
 ) -> Vec<f64> {
     let centre: Vec<f64> = rhs.iter().map(|b| b / compliance).collect();
-    let foundation = Winkler {
+    let foundation = Foundation {
         balance,
         reach,
         centre: &centre,

@@ -1,10 +1,10 @@
-//! The trailing block of the factor: the Schur complement on the last dofs.
+//! The trailing block of a factor: the Schur complement on the last dofs.
 
-use crate::{PackedLower, Parallelism};
+use crate::packed::PackedLower;
+use crate::parallelism::Parallelism;
 use faer::Mat;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::inverse;
-use faer::sparse::linalg::cholesky::supernodal::SupernodalLltRef;
 
 /// The dense factor L_cc of the Schur complement S = L_cc L_ccᵀ of K on its
 /// trailing dofs c. Because they are eliminated last, (K⁻¹)_cc = S⁻¹.
@@ -16,31 +16,8 @@ pub struct TrailingBlock {
 }
 
 impl TrailingBlock {
-    /// Copies the last `order` rows and columns out of a supernodal factor,
-    /// over however many supernodes they are spread.
-    pub(super) fn extract(source: SupernodalLltRef<'_, usize, f64>, order: usize) -> Self {
-        let symbolic = source.symbolic();
-        let first = symbolic.ncols() - order;
-        let mut factor = PackedLower::zeros(order);
-        for s in (0..symbolic.n_supernodes()).rev() {
-            let end = symbolic.supernode_end()[s];
-            if end <= first {
-                break;
-            }
-            let begin = symbolic.supernode_begin()[s];
-            let node = source.supernode(s);
-            let (values, pattern) = (node.val(), node.pattern());
-            for column in begin.max(first)..end {
-                let values = values.col(column - begin);
-                for row in column..end {
-                    factor.set(row - first, column - first, values[row - begin]);
-                }
-                // The pattern below lies beyond `end`, so beyond `first` too.
-                for (k, &row) in pattern.iter().enumerate() {
-                    factor.set(row - first, column - first, values[end - begin + k]);
-                }
-            }
-        }
+    /// From L_cc.
+    pub fn new(factor: PackedLower) -> Self {
         Self { factor }
     }
 

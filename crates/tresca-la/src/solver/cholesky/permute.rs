@@ -1,6 +1,7 @@
 //! The matrix in elimination order.
 
-use crate::{Ordering, SymmetricMatrix};
+use crate::ordering::Ordering;
+use crate::symmetric::SymmetricMatrix;
 use faer::sparse::{SparseColMat, SymbolicSparseColMat};
 
 /// The lower triangle of P K Pᵀ.
