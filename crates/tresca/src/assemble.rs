@@ -17,9 +17,10 @@ use tresca_system::body::Body;
 use tresca_system::engine::PAIRS_PER_PATCH;
 use tresca_system::layout::Layout;
 
+use crate::error::SolveError;
 use crate::floating::floating;
-use crate::model::{Contact, Model, Partner, Place};
-use crate::{ModelError, SolveError};
+use tresca_model::ModelError;
+use tresca_model::{Contact, Model, Partner, Place};
 
 /// A body between its mesh and its matrices.
 #[derive(Debug, Clone)]

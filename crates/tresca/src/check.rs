@@ -9,8 +9,9 @@ use tresca_fem::loads::{nodal_areas, resultant};
 use tresca_fem::rigid;
 
 use crate::assemble::{couple_all, dof_maps};
-use crate::model::{Amount, Body, LoadId, Model};
-use crate::{ModelError, SolveError};
+use crate::error::SolveError;
+use tresca_model::ModelError;
+use tresca_model::{Amount, Body, LoadId, Model};
 
 /// A body as it was understood.
 #[derive(Debug, Clone, Serialize)]
@@ -139,7 +140,7 @@ pub fn check(model: &Model) -> Result<Check, SolveError> {
     let warnings = warnings(model, &bodies, &contacts, &loads);
     Ok(Check {
         title: model.title().to_owned(),
-        version: crate::VERSION,
+        version: crate::version::VERSION,
         bodies,
         supports: support_checks(model),
         loads,

@@ -42,16 +42,18 @@ mod pair_state;
 pub mod prelude;
 pub mod report;
 mod solve;
+mod unresisted;
+mod version;
 
 pub use check::{BodyCheck, Check, ContactCheck, LoadCheck, SupportCheck, check};
 pub use error::SolveError;
-pub use floating::UnresistedMotion;
 pub use load_step::Acting;
 pub use outcome::surface_fields::SurfaceFields;
 pub use outcome::{Outcome, StepOutcome};
 pub use pair_state::PairState;
 pub use report::RunReport;
 pub use solve::{PreparedModel, factor_error, prepare, solve, solve_with};
+pub use unresisted::UnresistedMotion;
 
 pub use tresca_contact::{CouplingMethod, Frame, FrictionLaw, RigidShape, ScalarField, Sliding};
 pub use tresca_fem::assembly::Formulation;
@@ -66,6 +68,4 @@ pub use tresca_system::description::{Description, EngineChoice, Times};
 pub use tresca_system::factors::{FactorWork, Factors};
 pub use tresca_system::layout::Layout;
 pub use tresca_system::progress::{self, Progress, Silent, Stage, StepInfo, Stopped};
-
-/// Version of the library, written into every result file.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub use version::VERSION;

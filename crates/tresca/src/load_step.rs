@@ -5,9 +5,9 @@ use tresca_fem::assembly;
 use tresca_la::vector::{axpy, dot};
 use tresca_system::load_case::LoadCase;
 
-use crate::SolveError;
 use crate::assemble::{Assembled, supports};
-use crate::model::{Amount, ContactId, LoadId, Model, Partner, Step, SupportId};
+use crate::error::SolveError;
+use tresca_model::{Amount, ContactId, LoadId, Model, Partner, Step, SupportId};
 
 /// Everything that may change from step to step.
 #[derive(Debug, Clone)]

@@ -15,13 +15,13 @@ use tresca_system::solved::Solved;
 use crate::assemble::{Assembled, assemble};
 use crate::balance::balance;
 use crate::error::SolveError;
-use crate::floating::unresisted;
 use crate::load_step::{Acting, acting};
 use crate::memory;
 use crate::outcome::reactions::nodal_reactions;
 use crate::outcome::surface_fields::SurfaceFields;
 use crate::outcome::{Outcome, StepOutcome};
 use crate::pair_state::pair_states;
+use crate::unresisted::unresisted;
 use tresca_model::{Model, Step};
 
 /// Solves a model with the default settings.

@@ -7,8 +7,12 @@ use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
 use tresca_io::problem::{self, Content, Dense, ProblemError, Sparse};
 
-use super::{AlgebraicError, Assembly, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem};
-use crate::SolveError;
+use tresca_system::matrices::{
+    AlgebraicError, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem,
+};
+
+use crate::algebraic::assembly::Assembly;
+use crate::error::SolveError;
 use crate::output::Destination;
 
 /// Why a problem could not be read from files.

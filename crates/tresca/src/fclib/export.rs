@@ -4,10 +4,13 @@ use tresca_io::fclib::{Document, Info, LocalProblem, Matrix, Problem, State};
 use tresca_qcqp::sets::BlockSet;
 use tresca_qcqp::{CoulombBound, DualProblem};
 
-use super::ProblemError;
 use super::reduced::place;
+use crate::fclib::error::ProblemError;
+use crate::outcome::Outcome;
 use crate::solve::PreparedModel;
-use crate::{FrictionLaw, Outcome, VERSION};
+use tresca_contact::FrictionLaw;
+
+use crate::version::VERSION;
 
 /// The dual problem of the load step solved last as a document of FCLIB, with its solution where that
 /// converged: r are contact forces, u relative displacements (gaps and negative slips).

@@ -31,115 +31,20 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod error;
+pub(crate) mod error;
 mod export;
-mod reduced;
-mod residual;
-
-use std::time::Instant;
-
-use tresca_qcqp::Settings;
-use tresca_system::matrices::{self, Dual, Operator, Solution};
-use tresca_system::progress::Progress;
+pub(crate) mod law;
+pub(crate) mod reduced;
+pub(crate) mod residual;
+pub(crate) mod solve;
 
 pub use error::ProblemError;
 pub use export::{document, local_problem};
+pub use law::Law;
 pub use reduced::MatrixFacts;
 pub use residual::Residuals;
+pub use solve::{Outcome, solve};
 pub use tresca_io::fclib::{
     Defect, Document, FclibError, GlobalProblem, Info, LocalProblem, Matrix, Place, Problem, State,
     read,
 };
-
-use reduced::{Reduced, place};
-
-/// The law of friction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Law {
-    /// As the file poses it: ‖r_T‖ ≤ μ r_N.
-    Coulomb,
-    /// ‖r_T‖ ≤ bound at every contact.
-    Tresca {
-        /// The slip bound, a force ≥ 0.
-        bound: f64,
-    },
-}
-
-/// A problem solved. Vectors stand in the order of the file: contact by contact, normal first.
-#[derive(Clone, Debug)]
-pub struct Outcome {
-    /// The law it was solved with.
-    pub law: Law,
-    /// How the method ended and what it did, with the certificate of the dual form; its vectors are in the
-    /// order of [`Dual`]. `times.assembly` is the reduction to the contacts and a look at W.
-    pub solution: Solution,
-    /// r.
-    pub forces: Vec<f64>,
-    /// u = W r + q, or Hᵀ v + w, computed from r and the matrices as they stand in the file.
-    pub velocities: Vec<f64>,
-    /// v with M v = H r + f; of global problems alone.
-    pub global_velocities: Option<Vec<f64>>,
-    /// How far r and u are from solving the problem, computed without the solver.
-    pub residuals: Residuals,
-    /// What W is like.
-    pub matrix: MatrixFacts,
-}
-
-/// Solves a problem.
-///
-/// # Errors
-/// When the parts of the problem do not fit together, W or M is not symmetric, M is not positive
-/// definite, there are more contacts than a dense W allows, a setting or the slip bound is out of range, or
-/// `progress` stops the run before its first iteration. How the solve ended is no error: see
-/// [`Outcome::solution`].
-pub fn solve(
-    problem: &Problem,
-    law: Law,
-    settings: &Settings,
-    progress: &mut dyn Progress,
-) -> Result<Outcome, ProblemError> {
-    if let Law::Tresca { bound } = law
-        && !(bound >= 0.0 && bound.is_finite())
-    {
-        return Err(ProblemError::Bound(bound));
-    }
-    let begin = Instant::now();
-    let reduced = Reduced::new(problem)?;
-    let laws: Vec<matrices::Law> = problem
-        .friction()
-        .iter()
-        .map(|&coefficient| match law {
-            Law::Coulomb => matrices::Law::coulomb(coefficient),
-            Law::Tresca { bound } => matrices::Law::tresca(bound),
-        })
-        .collect();
-    let dual = Dual::new(
-        Operator::dense(problem.unknowns(), &reduced.w)?,
-        reduced.q.iter().map(|q| -q).collect(),
-        problem.dimension() - 1,
-        laws,
-    );
-    let preparation = begin.elapsed().as_secs_f64();
-    let mut solution = matrices::solve_dual(dual, settings, progress)?;
-    solution.times.assembly += preparation;
-
-    let place = |i| place(problem.dimension(), problem.contacts(), i);
-    let mut forces = vec![0.0; problem.unknowns()];
-    let found = solution
-        .normal_force
-        .iter()
-        .chain(&solution.tangential_force);
-    for (i, &force) in found.enumerate() {
-        forces[place(i)] = force;
-    }
-    let (velocities, global_velocities) = reduced.velocities(problem, &forces);
-    Ok(Outcome {
-        law,
-        residuals: Residuals::new(problem, law, &reduced, &forces, &velocities),
-        matrix: reduced.facts,
-        solution,
-        forces,
-        velocities,
-        global_velocities,
-    })
-}

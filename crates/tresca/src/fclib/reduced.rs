@@ -6,7 +6,7 @@ use serde::Serialize;
 use tresca_io::fclib::{Matrix, Problem};
 use tresca_la::{BodySolver, Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 
-use super::ProblemError;
+use crate::fclib::error::ProblemError;
 
 /// Asymmetry up to which a matrix is taken for a symmetric one with rounding errors. Files of
 /// Siconos printed with six digits, and of solvers that build W by blocks, reach 1e-5.

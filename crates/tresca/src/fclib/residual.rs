@@ -4,7 +4,7 @@ use serde::Serialize;
 use tresca_io::fclib::Problem;
 use tresca_la::vector::{dot, norm};
 
-use super::Law;
+use super::law::Law;
 use super::reduced::{Reduced, place};
 
 /// Residuals of the natural map r − P_K(r − ρ û), K the product of the friction cones and

@@ -8,9 +8,9 @@ use tresca_qcqp::{DualSolution, Settings, Status};
 use tresca_system::certificate::Certificate;
 use tresca_system::description::{Description, Times};
 
-use crate::floating::UnresistedMotion;
 use crate::outcome::surface_fields::SurfaceFields;
 use crate::pair_state::PairState;
+use crate::unresisted::UnresistedMotion;
 
 /// The result of one load step.
 #[derive(Debug, Clone)]

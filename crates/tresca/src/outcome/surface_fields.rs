@@ -4,8 +4,8 @@ use faer::sparse::SparseRowMatRef;
 use tresca_contact::ContactData;
 
 use crate::assemble::Assembled;
-use crate::model::{Contact, Model};
 use crate::pair_state::PairState;
+use tresca_model::{Contact, Model};
 
 /// What a node of a body does; written as the field `contact_status`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,9 +8,9 @@ use tresca_io::results::{CheckedBody, CheckedContact, origin};
 use tresca_io::{WriteError, summary};
 
 use super::{CONTACT, Destination, node_vectors};
-use crate::VERSION;
 use crate::check::Check;
-use crate::model::Model;
+use crate::version::VERSION;
+use tresca_model::Model;
 
 impl Destination {
     /// Writes what [`check`](crate::check()) put together: `<body>.vtu` with what holds and what pulls,

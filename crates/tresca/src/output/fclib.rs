@@ -12,8 +12,9 @@ use tresca_io::{WriteError, summary};
 use tresca_qcqp::Settings;
 
 use super::{Destination, SUMMARY, history};
-use crate::RunReport;
-use crate::fclib::{Law, Outcome};
+use crate::fclib::law::Law;
+use crate::fclib::solve::Outcome;
+use crate::report::run::RunReport;
 
 impl Destination {
     /// Writes `solution.csv` (a row per contact: r, u and the bound), `history.csv`, `summary.json` and, in a

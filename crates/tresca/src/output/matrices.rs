@@ -8,8 +8,8 @@ use tresca_io::problem::Archive;
 use tresca_io::{WriteError, summary};
 
 use super::{Destination, SUMMARY, history};
-use crate::RunReport;
 use crate::algebraic::Solution;
+use crate::report::run::RunReport;
 
 impl Destination {
     /// Writes `solution.npz`, `history.csv` and `summary.json`: all of them, or none. `name` is what the run is

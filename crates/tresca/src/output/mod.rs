@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
 
-use crate::model::Body;
+use tresca_model::Body;
 
 /// Name of the file with the contact fields.
 const CONTACT: &str = "contact";

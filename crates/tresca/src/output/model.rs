@@ -15,10 +15,11 @@ use tresca_io::vtu::{CellShape, Cells, Fact};
 use tresca_io::{WriteError, summary};
 
 use super::{CONTACT, Destination, SUMMARY, history, node_vectors};
-use crate::model::{Body, Model};
 use crate::outcome::{Outcome, StepOutcome};
 use crate::pair_state::PairState;
-use crate::{RunReport, VERSION};
+use crate::report::run::RunReport;
+use crate::version::VERSION;
+use tresca_model::{Body, Model};
 
 impl Destination {
     /// Writes all files of a run: `<body>.vtu` and `contact.vtu` (of a case with several load steps

@@ -8,7 +8,7 @@ mod of_matrices;
 mod of_model;
 mod posed;
 mod reactions;
-mod run;
+pub(crate) mod run;
 mod system;
 mod times;
 

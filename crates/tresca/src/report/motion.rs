@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::floating::UnresistedMotion;
+use crate::unresisted::UnresistedMotion;
 
 /// A motion that nothing resists.
 #[derive(Debug, Clone, Serialize)]

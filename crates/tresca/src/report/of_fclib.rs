@@ -7,7 +7,9 @@ use tresca_qcqp::Settings;
 use super::of_matrices::of_solution;
 use super::posed::{FclibReport, LawReport, Reference};
 use super::run::{RunReport, Source, StepReport};
-use crate::fclib::{Law, MatrixFacts, Outcome};
+use crate::fclib::law::Law;
+use crate::fclib::reduced::MatrixFacts;
+use crate::fclib::solve::Outcome;
 
 /// Asymmetry that is not worth a note.
 const ROUNDING: f64 = 1e-14;

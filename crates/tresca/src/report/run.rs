@@ -10,7 +10,8 @@ use super::posed::{FclibReport, Reference};
 use super::reactions::SupportReaction;
 use super::system::SystemReport;
 use super::times::TimesReport;
-use crate::fclib::{MatrixFacts, Residuals};
+use crate::fclib::reduced::MatrixFacts;
+use crate::fclib::residual::Residuals;
 
 /// Version of the keys and their meaning. It grows when a key goes or comes to mean something else; new keys leave
 /// it as it is.
@@ -134,7 +135,7 @@ impl RunReport {
             door,
             name: None,
             title: None,
-            version: crate::VERSION,
+            version: crate::version::VERSION,
             status,
             method: settings.method.name(),
             iterations: sum(|figures| figures.iterations),

@@ -45,7 +45,12 @@ fn module_of(src: &Path, file: &Path) -> Vec<String> {
 
 /// The code without comments, documentation and the module of unit tests, which stands last in a file.
 fn code(source: &str) -> String {
-    let end = source.find("#[cfg(test)]\nmod ").unwrap_or(source.len());
+    let tests = ["
+#[cfg(test)]
+mod ", "
+#[cfg(all(test"];
+    let ends = tests.iter().filter_map(|begin| source.find(begin));
+    let end = ends.min().unwrap_or(source.len());
     let lines = source[..end]
         .lines()
         .filter(|line| !line.trim_start().starts_with("//"));
