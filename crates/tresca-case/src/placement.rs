@@ -57,8 +57,7 @@ impl Reader<'_> {
                     )
                     .with_help(
                         "`axis = [x, y, z]` is the direction of the axis of a rotation in space",
-                    )
-                    .into());
+                    ));
             }
         };
         let about = keys.about.as_ref();

@@ -52,7 +52,6 @@ impl Reader<'_> {
         let fail = |message: String, label: String, help: String| -> CaseError {
             self.fault(FaultKind::BadFile, file.span(), message, label)
                 .with_help(help)
-                .into()
         };
         let path = self.beside(file);
         let text = std::fs::read_to_string(&path).map_err(|error| {

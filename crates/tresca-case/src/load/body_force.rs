@@ -2,11 +2,11 @@
 
 use serde::Deserialize;
 use tresca_model::{BodyForce, Load, PlaceNames};
+use tresca_io::located::Span;
 
 use super::LoadTable;
 use crate::error::CaseError;
 use crate::reader::Reader;
-use crate::source::Span;
 use crate::text::At;
 
 /// `[[body_force]]`: a force per volume.

@@ -2,12 +2,12 @@
 
 use serde::Deserialize;
 use tresca_model::{Force, Load, PlaceNames};
+use tresca_io::located::Span;
 
 use super::LoadTable;
 use crate::error::CaseError;
 use crate::place::SurfaceList;
 use crate::reader::Reader;
-use crate::source::Span;
 use crate::text::At;
 
 /// `[[force]]`: a total force, spread evenly over surfaces.

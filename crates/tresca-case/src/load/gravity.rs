@@ -2,11 +2,11 @@
 
 use serde::Deserialize;
 use tresca_model::{Gravity, Load, PlaceNames};
+use tresca_io::located::Span;
 
 use super::LoadTable;
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::source::Span;
 use crate::text::At;
 
 /// `[[gravity]]`: an acceleration that acts on masses.
@@ -40,7 +40,7 @@ impl LoadTable for GravityKeys {
                         "give `{name}` a `density` (0 for no weight), or list the heavy bodies: \
                          `bodies = [\"…\"]` in [[gravity]]"
                     ))
-                    .into());
+                    );
             }
         }
         Ok(Gravity::new(value).on(on))

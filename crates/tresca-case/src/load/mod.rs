@@ -29,12 +29,12 @@ macro_rules! modules {
 }
 kinds_of_loads!(modules);
 
+use tresca_io::located::Span;
 use tresca_model::{Load, PlaceNames};
 
 use crate::error::CaseError;
 use crate::place::{SurfaceList, Wanted};
 use crate::reader::Reader;
-use crate::source::Span;
 use crate::text::At;
 
 /// The keys of a kind of load.

@@ -2,13 +2,13 @@
 
 use serde::Deserialize;
 use tresca_model::{Load, PlaceNames, Pressure};
+use tresca_io::located::Span;
 
 use super::LoadTable;
 use crate::error::CaseError;
 use crate::field::{FieldKeys, Kind};
 use crate::place::SurfaceList;
 use crate::reader::Reader;
-use crate::source::Span;
 use crate::text::At;
 
 /// `[[pressure]]`: a force per area along the inward normal.

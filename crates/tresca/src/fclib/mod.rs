@@ -49,8 +49,8 @@ pub use output::{Reference, Summary, Times, write};
 pub use reduced::MatrixFacts;
 pub use residual::Residuals;
 pub use tresca_io::fclib::{
-    Defect, Document, FclibError, GlobalProblem, Info, LocalProblem, Matrix, Place, Problem, State,
-    read,
+    Defect, Document, FclibError, FclibFault, GlobalProblem, Info, LocalProblem, Matrix, Problem,
+    State, read,
 };
 
 use reduced::{Reduced, place};

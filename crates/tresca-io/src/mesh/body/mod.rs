@@ -9,7 +9,7 @@ use std::fmt;
 use tresca_fem::FemError;
 use tresca_fem::mesh::{BoundingBox, Mesh, Space};
 
-use super::error::MeshFileError;
+use super::error::{MeshFault, MeshFileError};
 use super::faces::side;
 use super::file::MeshFile;
 use super::placement::Placement;
@@ -83,11 +83,11 @@ impl MeshFile {
     /// group), all cells of the dimension of the space without one.
     ///
     /// # Errors
-    /// Whatever keeps the cells from being a body: [`MeshFileError::NoCells`],
-    /// [`MeshFileError::NotPlane`], [`MeshFileError::UnknownGroup`],
-    /// [`MeshFileError::GroupDimension`], [`MeshFileError::OffPlane`],
-    /// [`MeshFileError::NegativeRadius`], [`MeshFileError::Inverted`],
-    /// [`MeshFileError::Folded`], [`MeshFileError::Degenerate`], [`MeshFileError::Refused`]. What is wrong with a surface group
+    /// Whatever keeps the cells from being a body: [`MeshFault::NoCells`],
+    /// [`MeshFault::NotPlane`], [`MeshFault::UnknownGroup`],
+    /// [`MeshFault::GroupDimension`], [`MeshFault::OffPlane`],
+    /// [`MeshFault::NegativeRadius`], [`MeshFault::Inverted`],
+    /// [`MeshFault::Folded`], [`MeshFault::Degenerate`], [`MeshFault::Refused`]. What is wrong with a surface group
     /// is kept in [`BodyMesh::unusable`], for whoever wants to use it.
     pub fn body(
         &self,
@@ -101,7 +101,7 @@ impl MeshFile {
         let blocks = members.blocks(self, space, &points, &mut notes);
         let mut mesh = Mesh::new(space, points, blocks, BTreeMap::new()).map_err(|source| {
             let path = self.path.clone();
-            MeshFileError::Refused { path, source }
+            MeshFault::Refused { source }.at(path)
         })?;
         self.check_shapes(&mesh, &members)?;
         let mut unusable = BTreeMap::new();
@@ -121,18 +121,15 @@ impl MeshFile {
         let dimension = space.dimension();
         let count = |dimension| self.cells.of_dimension(dimension).count();
         if dimension == 2 && count(3) > 0 {
-            return Err(MeshFileError::NotPlane {
-                path: self.path.clone(),
-                space,
-            });
+            return Err(MeshFault::NotPlane { space }.at(self.path.clone()));
         }
         let all: Vec<usize> = self.cells.of_dimension(dimension).collect();
         if all.is_empty() {
-            return Err(MeshFileError::NoCells {
-                path: self.path.clone(),
+            return Err(MeshFault::NoCells {
                 dimension,
                 found: [count(1), count(2), count(3)],
-            });
+            }
+            .at(self.path.clone()));
         }
         match part {
             Some(name) => Ok(self.group(name, dimension)?.cells.clone()),
@@ -157,20 +154,20 @@ impl MeshFile {
         let small = ROUNDING * BoundingBox::around(points.iter().copied()).diagonal();
         for (point, &node) in points.iter_mut().zip(nodes) {
             if point[2].abs() > small {
-                return Err(MeshFileError::OffPlane {
-                    path: self.path.clone(),
+                return Err(MeshFault::OffPlane {
                     node: self.point_numbers[node],
                     z: point[2],
-                });
+                }
+                .at(self.path.clone()));
             }
             point[2] = 0.0;
             if space == Space::Axisymmetric {
                 if point[0] < -small {
-                    return Err(MeshFileError::NegativeRadius {
-                        path: self.path.clone(),
+                    return Err(MeshFault::NegativeRadius {
                         node: self.point_numbers[node],
                         radius: point[0],
-                    });
+                    }
+                    .at(self.path.clone()));
                 }
                 if point[0].abs() <= small {
                     point[0] = 0.0;
@@ -192,29 +189,17 @@ impl MeshFile {
         Err(match source {
             FemError::InvertedCell { cell, .. } => {
                 let (element, centre) = names(cell);
-                MeshFileError::Inverted {
-                    path,
-                    element,
-                    centre,
-                }
+                MeshFault::Inverted { element, centre }.at(path)
             }
             FemError::FoldedCell { cell, .. } => {
                 let (element, centre) = names(cell);
-                MeshFileError::Folded {
-                    path,
-                    element,
-                    centre,
-                }
+                MeshFault::Folded { element, centre }.at(path)
             }
             FemError::DegenerateCell { cell, .. } => {
                 let (element, centre) = names(cell);
-                MeshFileError::Degenerate {
-                    path,
-                    element,
-                    centre,
-                }
+                MeshFault::Degenerate { element, centre }.at(path)
             }
-            source => MeshFileError::Refused { path, source },
+            source => MeshFault::Refused { source }.at(path),
         })
     }
 

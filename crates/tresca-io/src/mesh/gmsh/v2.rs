@@ -1,6 +1,6 @@
 //! Sections of version 2.2.
 
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::Names;
 use super::elements::{Draft, Membership};
 use super::input::{Encoding, Input};
@@ -47,7 +47,7 @@ pub(super) fn elements(
         let block = input.int("the number of elements of a block")?;
         let tags = input.int("the number of tags of an element")?;
         if block < 1 {
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 input.place_of(mark),
                 "the number of elements of a block, 1 or more",
                 block.to_string(),

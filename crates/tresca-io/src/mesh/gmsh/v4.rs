@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::Names;
 use super::elements::{Draft, Membership};
 use super::input::Input;
@@ -74,7 +74,7 @@ pub(super) fn nodes(input: &mut Input<'_>, draft: &mut Draft) -> Result<(), Mesh
         }
     }
     if draft.points.len() as u64 != count {
-        return Err(MeshFileError::syntax(
+        return Err(MeshFault::syntax(
             input.place_of(start),
             format!("{count} nodes in this section"),
             draft.points.len().to_string(),
