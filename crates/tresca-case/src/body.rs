@@ -8,12 +8,12 @@ use tresca_fem::mesh::Mesh;
 use tresca_model::{Body, Subject};
 
 use crate::analysis::Analysis;
-use crate::error::{CaseError, FaultKind};
+use crate::error::{CaseError, FaultKind, semantic};
 use crate::field::FieldKeys;
 use crate::mesh::MeshKeys;
 use crate::origins::BodyOrigin;
 use crate::reader::{Reader, fault_of_name};
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[body]]`: an elastic body.
 #[derive(Debug, Deserialize)]
@@ -85,8 +85,9 @@ impl Reader<'_> {
                     "the case has no body",
                     "expected at least one [[body]]",
                 )
-                .with_help("a body is a table [[body]] with the keys `name`, `mesh` and `material`")
-                .into());
+                .with_help(
+                    "a body is a table [[body]] with the keys `name`, `mesh` and `material`",
+                ));
         }
         bodies.into_iter().try_for_each(|keys| self.body(keys))
     }
@@ -106,7 +107,7 @@ impl Reader<'_> {
                 )
                 .and_at(other.span(), "the first one")
                 .with_help("give each body its own name; upper and lower case count as equal, for the names become names of files")
-                .into());
+                );
         }
         let made = self.mesh(keys.mesh, keys.map.is_some())?;
         let material = self.material(&keys.material)?;
@@ -125,7 +126,7 @@ impl Reader<'_> {
         let added = self.model.add_body(body);
         let index = added.map_err(|error| {
             let (span, fact) = (keys.name.span(), error.to_string());
-            CaseError::semantic(self.source, span, fact, "this body", "")
+            semantic(self.source, span, fact, "this body", "")
         })?;
         self.origins
             .places
@@ -152,7 +153,7 @@ impl Reader<'_> {
             let help = "the map must give finite coordinates, keep a radius at 0 or more, and turn no \
                         cell inside out";
             let fact = error.to_string();
-            CaseError::semantic(self.source, map.span(), fact, "this map", help)
+            semantic(self.source, map.span(), fact, "this map", help)
         };
         let mesh = mesh.mapped(|point| field.at(point));
         let mesh = mesh.and_then(|mesh| self.in_its_space(mesh));
@@ -178,8 +179,7 @@ impl Reader<'_> {
             .with_help(
                 "surfaces are written `body.face`, and the results of a body go to the file \
                  `body.vtu`",
-            )
-            .into())
+            ))
     }
 
     fn material(&self, keys: &At<MaterialKeys>) -> Result<Isotropic, CaseError> {
@@ -192,8 +192,7 @@ impl Reader<'_> {
                     "Young's modulus must be positive",
                     format!("expected more than 0, found {young:?}"),
                 )
-                .with_help("it is the stiffness of the material, a force per area")
-                .into());
+                .with_help("it is the stiffness of the material, a force per area"));
         }
         if let Some(density) = &keys.density {
             self.not_negative("the density", density, "it is the mass per volume")?;
@@ -203,7 +202,7 @@ impl Reader<'_> {
             let material = Isotropic::new(young, poisson).map_err(|error| {
                 let help = "a material needs `young` > 0 and −1 < `poisson` < 0.5";
                 let fact = error.to_string();
-                CaseError::semantic(self.source, keys.span(), fact, "this material", help)
+                semantic(self.source, keys.span(), fact, "this material", help)
             })?;
             return Ok(match self.analysis {
                 Analysis::PlaneStress => material.plane_stress(),
@@ -225,8 +224,7 @@ impl Reader<'_> {
                 "Poisson's ratio must lie between -1 and 0.5",
                 format!("expected -1 < poisson < 0.5, found {poisson:?}"),
             )
-            .with_help(help)
-            .into())
+            .with_help(help))
     }
 }
 

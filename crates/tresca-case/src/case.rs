@@ -4,13 +4,14 @@ use std::io;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
+use tresca_io::located::{Place, Position, SourceText, Span};
 use tresca_model::{Model, Subject};
 use tresca_qcqp::{QcqpError, Settings};
 
-use crate::error::CaseError;
+use crate::error::{CaseError, CaseFault, FaultKind, semantic};
 use crate::file;
+use crate::locate::locate;
 use crate::origins::Origins;
-use crate::source::CaseSource;
 
 /// A case file, read and checked. `S` holds the solver's settings: with a type other than [`Settings`] it should refuse
 /// unknown keys (`#[serde(deny_unknown_fields)]`), which are then reported like all others.
@@ -22,7 +23,7 @@ pub struct Case<S = Settings> {
     /// The `[solver]` table; `S::default()` without one.
     pub solver: S,
     /// Name and text, for reports of later checks.
-    pub source: CaseSource,
+    pub source: SourceText,
     origins: Origins,
 }
 
@@ -61,8 +62,8 @@ impl Case {
             QcqpError::Setting { name, allowed, .. } => (*name, allowed.as_str()),
             _ => ("", ""),
         };
-        let span = self.source.locate(&format!("solver.{name}"));
-        CaseError::semantic(
+        let span = self.locate(&format!("solver.{name}"));
+        semantic(
             &self.source,
             span.unwrap_or(0..0),
             error.to_string(),
@@ -89,7 +90,7 @@ impl<S: DeserializeOwned + Default> Case<S> {
     /// # Errors
     /// As [`Case::parse`].
     pub fn parse_with(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = CaseSource::new(name, text);
+        let source = SourceText::new(name, text);
         let (model, origins, solver) = file::read(&source)?;
         Ok(Self {
             model,
@@ -107,6 +108,13 @@ impl<S> Case<S> {
         bodies.flat_map(|body| body.notes.clone()).collect()
     }
 
+    /// Where the value of a key stands, for checks made after the file was read. Steps are joined by dots and list
+    /// entries counted from 0: `solver.tolerance`, `body[1].material.young`. `None` when the text does not contain
+    /// the key.
+    pub fn locate(&self, key: &str) -> Option<Span> {
+        locate(self.source.text(), key)
+    }
+
     /// A report of a fault that was found after reading, at the place that `subject` comes from.
     pub fn fault(
         &self,
@@ -115,8 +123,19 @@ impl<S> Case<S> {
         label: impl Into<String>,
         help: impl Into<String>,
     ) -> CaseError {
-        let span = self.origins.place(subject);
-        CaseError::semantic(&self.source, span, fact.into(), label, help)
+        self.fault_at(self.origins.place(subject), fact, label, help)
+    }
+
+    /// The same at a place in the text: what is wrong, what the marked text is or should have been, and the likely
+    /// cause or cure.
+    pub fn fault_at(
+        &self,
+        span: Span,
+        fact: impl Into<String>,
+        label: impl Into<String>,
+        help: impl Into<String>,
+    ) -> CaseError {
+        semantic(&self.source, span, fact, label, help)
     }
 }
 
@@ -129,11 +148,16 @@ fn unreadable(path: &Path, error: io::Error) -> CaseError {
     } else {
         ("the system refuses", None, Some(error))
     };
-    CaseError::Unreadable {
-        path: path.to_owned(),
-        reason,
-        help,
-        source,
+    let name = path.display();
+    let mut fault = CaseFault::new(
+        FaultKind::Unreadable,
+        format!("cannot read the case file `{name}`: {reason}"),
+    );
+    fault.system = source;
+    let error = CaseError::new(fault, path);
+    match help {
+        Some(help) => error.with_help(help),
+        None => error,
     }
 }
 
@@ -162,11 +186,15 @@ fn missing_file(path: &Path) -> String {
 fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> CaseError {
     let bad = error.utf8_error().valid_up_to();
     let good = String::from_utf8_lossy(&error.as_bytes()[..bad]).into_owned();
-    let (line, column) = CaseSource::new("", good).line_column(bad);
-    CaseError::NotText {
+    let (line, column) = SourceText::new("", good).line_column(bad);
+    let (name, byte) = (path.display(), error.as_bytes()[bad]);
+    let message = format!(
+        "the case file `{name}` is not UTF-8 text: line {line}, column {column} holds the byte 0x{byte:02x}"
+    );
+    let place = Place {
         path: path.to_owned(),
-        line,
-        column,
-        byte: error.as_bytes()[bad],
-    }
+        position: Position::LineColumn(line, column),
+    };
+    CaseError::new(CaseFault::new(FaultKind::NotText, message), place)
+        .with_help("save the file as UTF-8; a case file is plain text in the TOML format")
 }

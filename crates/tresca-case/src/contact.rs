@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 use tresca_contact::{CouplingMethod, ScalarField};
+use tresca_io::located::Span;
 use tresca_io::names::{listed, nearest};
 use tresca_model::{Contact, ContactWithin, PlaceName, PlaceNames};
 
@@ -9,8 +10,7 @@ use crate::error::{CaseError, FaultKind};
 use crate::field::{FieldKeys, Kind};
 use crate::friction::FrictionKeys;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[contact]]`: two surfaces that may touch.
 #[derive(Debug, Deserialize)]
@@ -98,7 +98,7 @@ impl Reader<'_> {
                     )
                     .and_at(first.span(), "the first time")
                     .with_help("a pair stands in one [[contact]] only: a second one would constrain the same points again")
-                    .into());
+                    );
             }
             pairs.push(pair);
         }
@@ -145,8 +145,7 @@ impl Reader<'_> {
                     "pairs are found by this distance",
                 )
                 .and_at(pair.span(), "the pair is given")
-                .with_help("remove one of the two; `search` is the distance at which a given pair is coupled")
-                .into()),
+                .with_help("remove one of the two; `search` is the distance at which a given pair is coupled")),
             (None, None) => Err(self
                 .fault(
                     FaultKind::MissingKey,
@@ -154,8 +153,7 @@ impl Reader<'_> {
                     "missing key `pair`",
                     "expected `pair` in this table",
                 )
-                .with_help("`pair = [\"slave.face\", \"master.face\"]` names two surfaces; `within = 0.1` finds the pairs by a distance")
-                .into()),
+                .with_help("`pair = [\"slave.face\", \"master.face\"]` names two surfaces; `within = 0.1` finds the pairs by a distance")),
             (Some(pair), None) => {
                 if let Some(list) = &keys.bodies {
                     return Err(self
@@ -166,7 +164,7 @@ impl Reader<'_> {
                             "expected `within` along with it",
                         )
                         .with_help("remove the key `bodies`")
-                        .into());
+                        );
                 }
                 Ok((pair.span(), self.pair(pair)?))
             }
@@ -184,7 +182,7 @@ impl Reader<'_> {
                             "expected two bodies or more",
                         )
                         .with_help("contact of a body with itself is not supported")
-                        .into());
+                        );
                 }
                 Ok((within.span(), Partners::Within(distance, listed)))
             }
@@ -201,7 +199,7 @@ impl Reader<'_> {
                     format!("expected 2 entries, found {}", pair.len()),
                 )
                 .with_help("write `pair = [\"slave.face\", \"master.face\"]`; more pairs get their own [[contact]]")
-                .into());
+                );
         };
         if self.origins.obstacles.contains(slave) {
             return Err(self
@@ -213,8 +211,7 @@ impl Reader<'_> {
                 )
                 .with_help(
                     "write the obstacle second: the first surface carries the contact forces",
-                )
-                .into());
+                ));
         }
         let slave = self.surface(slave)?;
         if self.is_obstacle(master)? {
@@ -231,8 +228,7 @@ impl Reader<'_> {
                     "expected another surface than the first",
                 )
                 .and_at(slave.span(), "the first")
-                .with_help("a pair names the two surfaces that face each other")
-                .into());
+                .with_help("a pair names the two surfaces that face each other"));
         }
         Ok(Partners::Pair(slave.value, master.value))
     }
@@ -257,7 +253,6 @@ impl Reader<'_> {
                     None => "expected `body.face`, or the name of an obstacle".to_owned(),
                 },
             )
-            .with_help(format!("the obstacles of this case are {}", listed(&names)))
-            .into())
+            .with_help(format!("the obstacles of this case are {}", listed(&names))))
     }
 }

@@ -1,102 +1,34 @@
 //! What can be wrong with a case file, told with the place, what was expected and the likely cause.
 
+use std::error::Error;
 use std::fmt;
 use std::io;
-use std::path::PathBuf;
 
-use miette::{Diagnostic, LabeledSpan, SourceCode};
+use tresca_io::located::{Fact, Located, Place, SourceText, Span};
 
-use crate::source::{CaseSource, Span};
+/// Why a case file was refused, and where. Renders as a [`miette`] report.
+pub type CaseError = Located<CaseFault>;
 
-/// Why a case file was refused. Renders as a [`miette`] report.
-#[derive(Debug, thiserror::Error, Diagnostic)]
-pub enum CaseError {
-    /// The file could not be read: missing, a directory, no permission.
-    #[error("cannot read the case file `{}`: {reason}", path.display())]
-    #[diagnostic(code(case::unreadable))]
-    Unreadable {
-        /// The path as it was given.
-        path: PathBuf,
-        /// What stood in the way, in words.
-        reason: &'static str,
-        /// The likely cause.
-        #[help]
-        help: Option<String>,
-        /// What the operating system says, where the reason does not say it all.
-        #[source]
-        source: Option<io::Error>,
-    },
-
-    /// The file holds bytes that are no UTF-8 text.
-    #[error(
-        "the case file `{}` is not UTF-8 text: line {line}, column {column} holds the byte 0x{byte:02x}",
-        path.display()
-    )]
-    #[diagnostic(
-        code(case::not_text),
-        help("save the file as UTF-8; a case file is plain text in the TOML format")
-    )]
-    NotText {
-        /// The path as it was given.
-        path: PathBuf,
-        /// Line of the first bad byte, from 1.
-        line: usize,
-        /// Column of the first bad byte, from 1, in characters.
-        column: usize,
-        /// The first bad byte.
-        byte: u8,
-    },
-
-    /// The text is wrong at a place that can be shown.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Fault(Box<Fault>),
+/// Why a case file was refused.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct CaseFault {
+    /// The sort of fault.
+    pub kind: FaultKind,
+    /// What is wrong, in a sentence.
+    pub message: String,
+    /// What the operating system says, where the message does not say it all.
+    pub system: Option<io::Error>,
 }
 
-impl CaseError {
-    /// An error found after the file was read, by whoever knows the meaning: say what is wrong
-    /// (`message`), what the marked text is or should have been (`label`), and the likely cause or
-    /// cure (`help`).
-    pub fn semantic(
-        source: &CaseSource,
-        span: Span,
-        message: impl Into<String>,
-        label: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Self {
-        Fault::new(FaultKind::Semantic, source, span, message, label)
-            .with_help(help)
-            .into()
-    }
-
-    /// Marks a second place in the same report, such as the other member of a pair. Nothing happens
-    /// to errors that have no place.
-    pub fn and_at(mut self, span: Span, label: impl Into<String>) -> Self {
-        if let CaseError::Fault(fault) = &mut self {
-            fault.mark(span, label);
-        }
-        self
-    }
-
-    /// Line and column, from 1, of the place the error points at.
-    pub fn line_column(&self) -> Option<(usize, usize)> {
-        match self {
-            CaseError::Unreadable { .. } => None,
-            CaseError::NotText { line, column, .. } => Some((*line, *column)),
-            CaseError::Fault(fault) => Some(fault.source.line_column(fault.span().start)),
-        }
-    }
-}
-
-impl From<Fault> for CaseError {
-    fn from(fault: Fault) -> Self {
-        CaseError::Fault(Box::new(fault))
-    }
-}
-
-/// The sorts of faults in a case file's text.
+/// The sorts of faults in a case file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FaultKind {
+    /// The file could not be read: missing, a directory, no permission.
+    Unreadable,
+    /// The file holds bytes that are no UTF-8 text.
+    NotText,
     /// Not TOML.
     Syntax,
     /// A key that does not belong here.
@@ -113,13 +45,15 @@ pub enum FaultKind {
     Duplicate,
     /// A file that the case file names cannot be used.
     BadFile,
-    /// Refused by a later check, which knows more than the text; see [`CaseError::semantic`].
+    /// Refused by a later check, which knows more than the text; see [`Case::fault`](crate::Case::fault).
     Semantic,
 }
 
 impl FaultKind {
     fn code(self) -> &'static str {
         match self {
+            FaultKind::Unreadable => "case::unreadable",
+            FaultKind::NotText => "case::not_text",
             FaultKind::Syntax => "case::syntax",
             FaultKind::UnknownKey => "case::unknown_key",
             FaultKind::MissingKey => "case::missing_key",
@@ -133,94 +67,49 @@ impl FaultKind {
     }
 }
 
-/// A fault with its place in the text.
-#[derive(Debug, Clone)]
-pub struct Fault {
-    kind: FaultKind,
-    message: String,
-    /// The first is the place itself.
-    labels: Vec<(Span, String)>,
-    help: Option<String>,
-    source: CaseSource,
-}
-
-impl Fault {
-    pub(crate) fn new(
-        kind: FaultKind,
-        source: &CaseSource,
-        span: Span,
-        message: impl Into<String>,
-        label: impl Into<String>,
-    ) -> Self {
-        let mut fault = Self {
-            kind,
-            message: message.into(),
-            labels: Vec::new(),
-            help: None,
-            source: source.clone(),
-        };
-        fault.mark(span, label);
-        fault
+impl Fact for CaseFault {
+    fn code(&self) -> &'static str {
+        self.kind.code()
     }
 
-    pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
-        self
-    }
-
-    pub(crate) fn and_at(mut self, span: Span, label: impl Into<String>) -> Self {
-        self.mark(span, label);
-        self
-    }
-
-    fn mark(&mut self, span: Span, label: impl Into<String>) {
-        self.labels.push((self.source.clip(span), label.into()));
-    }
-
-    /// The sort of fault.
-    pub fn kind(&self) -> FaultKind {
-        self.kind
-    }
-
-    /// The bytes of the case file that the fault is about.
-    pub fn span(&self) -> Span {
-        self.labels[0].0.clone()
-    }
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn tell(&self, _: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
     }
+
+    fn cause(&self) -> Option<&(dyn Error + 'static)> {
+        let error = self.system.as_ref()?;
+        Some(error)
+    }
 }
 
-impl std::error::Error for Fault {}
-
-impl Diagnostic for Fault {
-    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(self.kind.code()))
+impl CaseFault {
+    pub(crate) fn new(kind: FaultKind, message: impl Into<String>) -> Self {
+        Self {
+            kind,
+            message: message.into(),
+            system: None,
+        }
     }
+}
 
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.help
-            .as_ref()
-            .map(|help| Box::new(help) as Box<dyn fmt::Display>)
-    }
+/// A fault of the text: what is wrong (`message`), and what the marked text is or should have been (`label`).
+pub(crate) fn fault_in(
+    kind: FaultKind,
+    source: &SourceText,
+    span: Span,
+    message: impl Into<String>,
+    label: impl Into<String>,
+) -> CaseError {
+    Located::in_text(CaseFault::new(kind, message), source, span, label)
+}
 
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(&self.source)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(self.labels.iter().enumerate().map(
-            |(i, (span, label))| {
-                let (label, range) = (Some(label.clone()), span.clone());
-                if i == 0 {
-                    LabeledSpan::new_primary_with_span(label, range)
-                } else {
-                    LabeledSpan::new_with_span(label, range)
-                }
-            },
-        )))
-    }
+/// A fault found by whoever knows the meaning; with the likely cause or cure (`help`).
+pub(crate) fn semantic(
+    source: &SourceText,
+    span: Span,
+    message: impl Into<String>,
+    label: impl Into<String>,
+    help: impl Into<String>,
+) -> CaseError {
+    fault_in(FaultKind::Semantic, source, span, message, label).with_help(help)
 }

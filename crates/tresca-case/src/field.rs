@@ -7,14 +7,14 @@ use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, MapAccess, Visitor};
 use tresca_contact::ScalarField;
+use tresca_io::located::Span;
 use tresca_model::VectorField;
 
 use crate::analysis::Analysis;
 use crate::error::{CaseError, FaultKind};
 use crate::expression::{Expression, VARIABLES};
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// A field over a body or surface, as it stands in the text.
 #[derive(Clone, Debug)]
@@ -99,8 +99,7 @@ impl Reader<'_> {
                             )
                             .with_help(
                                 "this comes from a division by 0, or a function outside its domain",
-                            )
-                            .into());
+                            ));
                     }
                     Some(value) => ScalarField::Constant(value),
                     None => ScalarField::Function(Arc::new(move |point| expression.at(point))),
@@ -114,8 +113,7 @@ impl Reader<'_> {
                         format!("{what} cannot come from a file"),
                         "expected a number, or an expression in quotes",
                     )
-                    .with_help("slip bounds are the fields that may come from a file")
-                    .into());
+                    .with_help("slip bounds are the fields that may come from a file"));
             }
             FieldKeys::File(file) => {
                 let table = self.value_table(what, file)?;
@@ -180,8 +178,7 @@ impl Reader<'_> {
                     .with_help(match self.analysis {
                         Analysis::Axisymmetric => "x is the radius, and y runs along the axis",
                         _ => "a plane case has the coordinates x and y",
-                    })
-                    .into());
+                    }));
             }
         }
         Ok(expression)

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use tresca_io::located::SourceText;
 use tresca_model::Model;
 
 use crate::analysis::Analysis;
@@ -16,10 +17,10 @@ use crate::load;
 use crate::obstacle::ObstacleKeys;
 use crate::origins::Origins;
 use crate::reader::Reader;
-use crate::source::CaseSource;
 use crate::step::StepKeys;
 use crate::support::{ClampKeys, SupportKeys};
-use crate::text::{self, At};
+use crate::text;
+use crate::text::at::At;
 
 macro_rules! file_keys {
     ($($(#[$doc:meta])* $load:ident::$keys:ident,)*) => {
@@ -74,7 +75,7 @@ load::kinds_of_loads!(file_keys);
 
 /// The model of a text with the places of its parts, and the solver's settings.
 pub(crate) fn read<S: DeserializeOwned + Default>(
-    source: &CaseSource,
+    source: &SourceText,
 ) -> Result<(Model, Origins, S), CaseError> {
     let keys: FileKeys<S> = text::read(source, |root| known_laws(source, root))?;
     let title = keys.title.clone().unwrap_or_else(|| {

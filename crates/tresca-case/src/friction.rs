@@ -3,14 +3,15 @@
 use serde::Deserialize;
 use toml::de::{DeTable, DeValue};
 use tresca_contact::{FrictionLaw, ScalarField};
+use tresca_io::located::{SourceText, Span};
 use tresca_io::names::listed;
 
 use crate::error::{CaseError, FaultKind};
 use crate::field::{FieldKeys, Kind};
 use crate::numbers::Triple;
 use crate::reader::Reader;
-use crate::source::{CaseSource, Span};
-use crate::text::{At, unsupported};
+use crate::text::at::At;
+use crate::text::shape::unsupported;
 
 /// `friction`: the law and its figures. All figures of all laws stand here; which of them a law
 /// takes is checked afterwards, so that the report can name the law.
@@ -129,8 +130,7 @@ impl Reader<'_> {
                     "one coefficient for each of two axes",
                 )
                 .and_at(one.span(), "one coefficient for all directions")
-                .with_help("remove one of the two")
-                .into()),
+                .with_help("remove one of the two")),
             (Some(coefficient), None) => {
                 if let Some(axis) = &keys.axis {
                     return Err(self
@@ -141,7 +141,7 @@ impl Reader<'_> {
                             "expected `coefficients` along with it",
                         )
                         .with_help("write `coefficients = [F1, F2]`, or remove `axis`")
-                        .into());
+                        );
                 }
                 Ok(FrictionLaw::Coulomb {
                     coefficients: [self.coefficient(coefficient)?; 2],
@@ -190,8 +190,7 @@ impl Reader<'_> {
                     "the axis has no direction",
                     "expected a vector that is not zero",
                 )
-                .with_help(help)
-                .into());
+                .with_help(help));
         }
         Ok(values)
     }
@@ -208,7 +207,6 @@ impl Reader<'_> {
             .with_help(format!(
                 "`{key}` has one entry for the axis and one for the direction across it"
             ))
-            .into()
         })
     }
 
@@ -226,8 +224,7 @@ impl Reader<'_> {
                     self.analysis.word()
                 ),
             )
-            .with_help("use `tresca` with a `bound`, or `coulomb` with a `coefficient`")
-            .into())
+            .with_help("use `tresca` with a `bound`, or `coulomb` with a `coefficient`"))
     }
 
     fn missing_figure(&self, keys: &FrictionKeys, span: Span, key: &str, help: &str) -> CaseError {
@@ -242,7 +239,6 @@ impl Reader<'_> {
             format!("expected `{key}` in this table"),
         )
         .with_help(help)
-        .into()
     }
 
     /// Refuses the keys of other laws.
@@ -280,8 +276,7 @@ impl Reader<'_> {
                 .with_help(match taken {
                     [] => format!("`{law}` takes no further keys"),
                     _ => format!("`{law}` takes {}", listed(taken)),
-                })
-                .into());
+                }));
         }
         Ok(())
     }
@@ -289,7 +284,7 @@ impl Reader<'_> {
 
 /// Friction laws that are not known. Without this the report on a law of another version would name
 /// one of its keys instead of the law.
-pub(crate) fn known_laws(source: &CaseSource, root: &DeTable<'_>) -> Result<(), CaseError> {
+pub(crate) fn known_laws(source: &SourceText, root: &DeTable<'_>) -> Result<(), CaseError> {
     let contacts = root
         .get("contact")
         .and_then(|list| list.get_ref().as_array());
@@ -307,8 +302,7 @@ pub(crate) fn known_laws(source: &CaseSource, root: &DeTable<'_>) -> Result<(), 
                 format!("the friction law `{name}` is not supported"),
                 name,
                 &LAWS,
-            )
-            .into());
+            ));
         }
     }
     Ok(())

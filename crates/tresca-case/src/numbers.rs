@@ -5,11 +5,11 @@ use std::marker::PhantomData;
 
 use serde::Deserialize;
 use serde::de::{Deserializer, SeqAccess, Visitor};
+use tresca_io::located::Span;
 
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// Values for the directions of the axes, each with its place in the file.
 #[derive(Clone, Debug)]
@@ -74,8 +74,7 @@ impl Reader<'_> {
                 format!("{what} is not a finite number"),
                 format!("expected a finite number, found {number:?}"),
             )
-            .with_help("TOML knows the words `nan` and `inf`; a case file takes numbers only")
-            .into())
+            .with_help("TOML knows the words `nan` and `inf`; a case file takes numbers only"))
     }
 
     /// `help` says what the number is.
@@ -96,8 +95,7 @@ impl Reader<'_> {
                 format!("{what} must not be negative"),
                 format!("expected 0 or more, found {number:?}"),
             )
-            .with_help(help)
-            .into())
+            .with_help(help))
     }
 
     /// A number above 0.
@@ -118,8 +116,7 @@ impl Reader<'_> {
                 format!("{what} must be positive"),
                 format!("expected more than 0, found {number:?}"),
             )
-            .with_help(help)
-            .into())
+            .with_help(help))
     }
 
     pub(crate) fn finite_components<const N: usize>(
@@ -150,8 +147,7 @@ impl Reader<'_> {
                 format!("{what} has no direction"),
                 "expected a vector that is not zero",
             )
-            .with_help("its length does not matter")
-            .into())
+            .with_help("its length does not matter"))
     }
 
     /// As [`Check::vector_field`], for vectors that do not vary.
@@ -186,7 +182,6 @@ impl Reader<'_> {
             .with_help(format!(
                 "`analysis = \"{}\"` has {expected} coordinates",
                 self.analysis.word()
-            ))
-            .into())
+            )))
     }
 }

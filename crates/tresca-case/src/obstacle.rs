@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 use tresca_contact::{RigidShape as Shape, RigidSurface};
+use tresca_io::located::Span;
 use tresca_io::names::listed;
 use tresca_model::Obstacle;
 
@@ -9,8 +10,7 @@ use crate::error::{CaseError, FaultKind};
 use crate::numbers::Triple;
 use crate::placement::RotateKeys;
 use crate::reader::{Reader, fault_of_name};
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[obstacle]]`: a rigid body. One of the shapes is given, which is checked afterwards, so that
 /// the report can say so.
@@ -141,8 +141,7 @@ impl Reader<'_> {
                     "this cannot be the name of an obstacle",
                     label,
                 )
-                .with_help("names are written as in `table` or `ball-2`")
-                .into());
+                .with_help("names are written as in `table` or `ball-2`"));
         }
         let bodies = self.origins.bodies.iter().map(|body| &body.name);
         let mut taken = bodies.chain(&self.origins.obstacles);
@@ -157,8 +156,7 @@ impl Reader<'_> {
                     "the second time",
                 )
                 .and_at(other.span(), "the first time")
-                .with_help("bodies and obstacles have different names; upper and lower case count as equal")
-                .into()),
+                .with_help("bodies and obstacles have different names; upper and lower case count as equal")),
         }
     }
 
@@ -182,8 +180,7 @@ impl Reader<'_> {
                     "the second shape",
                 )
                 .and_at(first.clone(), "the first shape")
-                .with_help("each obstacle has its own [[obstacle]]")
-                .into());
+                .with_help("each obstacle has its own [[obstacle]]"));
         }
         if let Some(plane) = &keys.plane {
             self.plane(plane)
@@ -206,8 +203,7 @@ impl Reader<'_> {
                     format!("the obstacle `{}` has no shape", keys.name.value),
                     "expected a shape in this table",
                 )
-                .with_help(format!("the shapes are {}", listed(&SHAPES)))
-                .into())
+                .with_help(format!("the shapes are {}", listed(&SHAPES))))
         }
     }
 
@@ -230,8 +226,7 @@ impl Reader<'_> {
                 format!("a {word} does not belong in a case with `analysis = \"{analysis}\"`"),
                 format!("expected `{other}`, or another shape"),
             )
-            .with_help("in space there are `sphere` and `cylinder`, in the plane `circle`")
-            .into())
+            .with_help("in space there are `sphere` and `cylinder`, in the plane `circle`"))
     }
 
     fn plane(&self, keys: &PlaneKeys) -> Result<Shape, CaseError> {

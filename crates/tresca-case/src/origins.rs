@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use tresca_io::located::Span;
 use tresca_io::mesh::MeshFileError;
 use tresca_model::{Quantity, Subject};
 
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// Where the parts of a model stand in the text, for reports of later checks.
 #[derive(Debug, Default)]

@@ -5,7 +5,7 @@ use tresca_model::{PlaceName, PlaceNames};
 
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `on`: surfaces, each `body.face`.
 pub(crate) type SurfaceList = At<Vec<At<String>>>;
@@ -33,8 +33,7 @@ impl Reader<'_> {
                     "the list of surfaces is empty",
                     "expected at least one `body.face`",
                 )
-                .with_help("remove the whole table if it is not wanted")
-                .into());
+                .with_help("remove the whole table if it is not wanted"));
         }
         let mut surfaces: Vec<At<PlaceName>> = Vec::with_capacity(list.len());
         for name in list.iter() {
@@ -48,8 +47,7 @@ impl Reader<'_> {
                         "the second time",
                     )
                     .and_at(first.span(), "the first time")
-                    .with_help("remove one of the two, or correct it")
-                    .into());
+                    .with_help("remove one of the two, or correct it"));
             }
             surfaces.push(surface);
         }
@@ -70,8 +68,7 @@ impl Reader<'_> {
                 format!("`{}` is not the name of a surface", name.value),
                 "expected `body.face`, found no dot".to_owned(),
             )
-            .with_help("surfaces are written with body and face, as in `upper.z-`")
-            .into());
+            .with_help("surfaces are written with body and face, as in `upper.z-`"));
         };
         let names = self.origins.body_names();
         let Some(body) = names.iter().position(|&name| name == body_name) else {
@@ -82,8 +79,7 @@ impl Reader<'_> {
                     None => "expected `body.face` of a body of this file".to_owned(),
                 },
             )
-            .with_help(format!("the bodies of this case are {}", listed(&names)))
-            .into());
+            .with_help(format!("the bodies of this case are {}", listed(&names))));
         };
         let body = &self.origins.bodies[body];
         let found = || At::new(span.clone(), PlaceName::from((body_name, face)));
@@ -104,8 +100,7 @@ impl Reader<'_> {
                 &body.faces,
                 &body.mesh,
                 "only clamps and supports act on points and curves; ",
-            ))
-            .into());
+            )));
         }
         let known = match wanted {
             Wanted::Faces => &body.faces,
@@ -119,8 +114,7 @@ impl Reader<'_> {
                 None => format!("expected a face of {word}"),
             },
         )
-        .with_help(faces_help(known, word, ""))
-        .into())
+        .with_help(faces_help(known, word, "")))
     }
 
     /// Bodies by name, in the order of the model; all of them without a list.
@@ -140,8 +134,7 @@ impl Reader<'_> {
                     "the list of bodies is empty",
                     "expected at least one name",
                 )
-                .with_help("without `bodies` all of them are meant")
-                .into());
+                .with_help("without `bodies` all of them are meant"));
         }
         let mut indices: Vec<usize> = Vec::new();
         for name in list.iter() {
@@ -157,8 +150,7 @@ impl Reader<'_> {
                             None => "expected the name of a body of this file".to_owned(),
                         },
                     )
-                    .with_help(format!("the bodies of this case are {}", listed(&names)))
-                    .into());
+                    .with_help(format!("the bodies of this case are {}", listed(&names))));
             };
             if indices.contains(&body) {
                 return Err(self
@@ -168,8 +160,7 @@ impl Reader<'_> {
                         "this body is listed twice",
                         "the second time",
                     )
-                    .with_help("remove one of the two, or correct it")
-                    .into());
+                    .with_help("remove one of the two, or correct it"));
             }
             indices.push(body);
         }

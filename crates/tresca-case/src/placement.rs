@@ -6,7 +6,7 @@ use tresca_io::mesh::{Placement, Rotation};
 use crate::error::{CaseError, FaultKind};
 use crate::numbers::Triple;
 use crate::reader::Reader;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `rotate`: a rotation by the right-hand rule.
 #[derive(Debug, Deserialize)]
@@ -57,8 +57,7 @@ impl Reader<'_> {
                     )
                     .with_help(
                         "`axis = [x, y, z]` is the direction of the axis of a rotation in space",
-                    )
-                    .into());
+                    ));
             }
         };
         let about = keys.about.as_ref();

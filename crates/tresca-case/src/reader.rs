@@ -4,21 +4,21 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use tresca_io::located::{SourceText, Span};
 use tresca_io::mesh::MeshFile;
 use tresca_model::{Model, ModelError};
 
 use crate::analysis::Analysis;
-use crate::error::{CaseError, Fault, FaultKind};
+use crate::error::{CaseError, FaultKind, fault_in, semantic};
 use crate::origins::Origins;
-use crate::source::{CaseSource, Span};
-use crate::text::At;
+use crate::text::at::At;
 
 /// Longest name of anything, in bytes: names become parts of names of files.
 const MAX_NAME: usize = 64;
 
 /// Fills a model, table by table. Every noun of the case language adds its own way of reading to this.
 pub(crate) struct Reader<'a> {
-    pub source: &'a CaseSource,
+    pub source: &'a SourceText,
     pub analysis: Analysis,
     /// Where the analysis stands, if it does.
     pub analysis_span: Option<Span>,
@@ -35,13 +35,13 @@ impl Reader<'_> {
         span: Span,
         message: impl Into<String>,
         label: impl Into<String>,
-    ) -> Fault {
-        Fault::new(kind, self.source, span, message, label)
+    ) -> CaseError {
+        fault_in(kind, self.source, span, message, label)
     }
 
     /// What the model refuses, at the table that says it.
     pub fn refused(&self, span: &Span, error: ModelError) -> CaseError {
-        CaseError::semantic(self.source, span.clone(), error.to_string(), "here", "")
+        semantic(self.source, span.clone(), error.to_string(), "here", "")
     }
 
     /// The name of a support, load, contact or step.
@@ -56,8 +56,7 @@ impl Reader<'_> {
                     "this cannot be a name",
                     label,
                 )
-                .with_help("names are written as in `left_end` or `step-2`")
-                .into());
+                .with_help("names are written as in `left_end` or `step-2`"));
         }
         Ok(name)
     }

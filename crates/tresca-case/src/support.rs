@@ -7,7 +7,7 @@ use crate::error::{CaseError, FaultKind};
 use crate::expression::VARIABLES;
 use crate::place::{SurfaceList, Wanted};
 use crate::reader::Reader;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[clamp]]`: surfaces whose displacement is zero.
 #[derive(Debug, Deserialize)]
@@ -71,8 +71,7 @@ impl Reader<'_> {
                     "the support holds nothing",
                     "expected at least one of the keys `x`, `y` and `z`",
                 )
-                .with_help("`x = 0` holds the component along x; a [[clamp]] holds all of them")
-                .into());
+                .with_help("`x = 0` holds the component along x; a [[clamp]] holds all of them"));
         }
         let name = self.checked_name(keys.name)?;
         self.held_once(&on, components, held)?;
@@ -111,8 +110,7 @@ impl Reader<'_> {
                     .with_help(
                         "a surface may stand in several [[support]] tables with different \
                          components; a [[clamp]] holds all of them",
-                    )
-                    .into());
+                    ));
             }
         }
         Ok(())
@@ -137,8 +135,7 @@ impl Reader<'_> {
                         ),
                         "expected `x` and `y` only",
                     )
-                    .with_help("remove the key `z`")
-                    .into());
+                    .with_help("remove the key `z`"));
             }
             displacement[axis] = Some(self.finite("the prescribed displacement", &value)?);
         }

@@ -5,7 +5,7 @@ use rstar::primitives::GeomWithData;
 
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::text::At;
+use crate::text::at::At;
 
 /// Values at points, read from a CSV file: everywhere else, the value of the nearest point holds.
 #[derive(Debug)]
@@ -52,7 +52,6 @@ impl Reader<'_> {
         let fail = |message: String, label: String, help: String| -> CaseError {
             self.fault(FaultKind::BadFile, file.span(), message, label)
                 .with_help(help)
-                .into()
         };
         let path = self.beside(file);
         let text = std::fs::read_to_string(&path).map_err(|error| {

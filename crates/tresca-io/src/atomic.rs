@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use crate::WriteError;
+use crate::error::WriteError;
 
 const PREFIX: &str = ".tresca-";
 const SUFFIX: &str = ".tmp";

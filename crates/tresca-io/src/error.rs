@@ -87,7 +87,7 @@ pub enum WriteError {
         part: String,
         /// What is wrong with it.
         #[source]
-        defect: crate::fclib::Defect,
+        defect: crate::fclib::error::Defect,
     },
 
     /// A file that HDF5 cannot hold.

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io::Write;
 
-use crate::WriteError;
+use crate::error::WriteError;
 
 /// A table with named columns.
 ///

@@ -6,6 +6,7 @@
 //! | [`fclib`] | frictional contact problems of the Siconos group |
 //! | [`mesh`] | mesh files: Gmsh, Abaqus, CalculiX |
 //! | [`problem`] | contact problems as matrices: `.npz` archives, Matrix Market folders |
+//! | [`located`] | what is wrong in a file, and where |
 //! | [`names`] | names in reports |
 //! | [`atomic`] | sets of files that appear together or not at all |
 //! | [`vtu`], [`pvd`] | unstructured grids with fields, and collections of them |
@@ -17,6 +18,7 @@ pub mod atomic;
 mod error;
 pub mod fclib;
 pub mod history;
+pub mod located;
 pub mod mesh;
 pub mod names;
 pub mod problem;

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::WriteError;
+use crate::error::WriteError;
 use crate::xml::escape;
 
 /// One file of a collection.

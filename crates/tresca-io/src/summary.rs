@@ -5,7 +5,7 @@ use std::io::Write;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::WriteError;
+use crate::error::WriteError;
 
 /// Writes a value as indented JSON, keys in the order of declaration.
 ///

@@ -1,7 +1,7 @@
 //! Formulas as programs of a stack machine: a flat list of instructions costs a few nanoseconds each,
 //! and evaluation needs no memory beyond a fixed stack.
 
-use super::VARIABLES;
+use super::names::VARIABLES;
 
 /// Values that a formula may hold at a time. A sum or product of any length needs two or three; only
 /// nesting costs more.

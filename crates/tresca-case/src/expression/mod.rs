@@ -14,19 +14,17 @@
 //! permissive licence read `-x^2` as (−x)² (`exmex` 0.21): a wrong load without a word of warning.
 
 mod code;
+mod error;
+mod names;
 mod parser;
 
 use std::fmt;
-use std::ops::Range;
 use std::sync::Arc;
 
 use code::Program;
 
-/// The variables, in the order of the coordinates of a point.
-pub const VARIABLES: [&str; 3] = ["x", "y", "z"];
-
-/// The constants: π and Euler's number.
-pub const CONSTANTS: [(&str, f64); 2] = [("pi", std::f64::consts::PI), ("e", std::f64::consts::E)];
+pub use error::ExpressionError;
+pub use names::{CONSTANTS, VARIABLES};
 
 /// A formula in x, y, z. Cheap to clone.
 #[derive(Clone)]
@@ -87,18 +85,4 @@ impl PartialEq for Expression {
     fn eq(&self, other: &Self) -> bool {
         self.text == other.text
     }
-}
-
-/// Why a text is no formula.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
-pub struct ExpressionError {
-    /// What is wrong.
-    pub message: String,
-    /// The bytes of the text that are at fault; empty at the end of a text that stops too early.
-    pub span: Range<usize>,
-    /// What is expected there, or was probably meant.
-    pub expected: String,
-    /// The likely cause or cure.
-    pub help: String,
 }

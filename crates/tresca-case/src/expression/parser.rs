@@ -11,7 +11,8 @@
 use std::ops::Range;
 
 use super::code::{Code, FUNCTIONS, Function, Program};
-use super::{CONSTANTS, ExpressionError, VARIABLES};
+use super::error::ExpressionError;
+use super::names::{CONSTANTS, VARIABLES};
 use tresca_io::names::{listed, nearest};
 
 /// Levels of nesting that are followed: enough for any formula, and little enough for any stack.

@@ -2,12 +2,12 @@
 
 use serde::Deserialize;
 use tresca_model::{BodyForce, Load, PlaceNames};
+use tresca_io::located::Span;
 
-use super::LoadTable;
+use super::table::LoadTable;
 use crate::error::CaseError;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[body_force]]`: a force per volume.
 #[derive(Debug, Deserialize)]

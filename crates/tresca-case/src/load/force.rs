@@ -2,13 +2,13 @@
 
 use serde::Deserialize;
 use tresca_model::{Force, Load, PlaceNames};
+use tresca_io::located::Span;
 
-use super::LoadTable;
+use super::table::LoadTable;
 use crate::error::CaseError;
 use crate::place::SurfaceList;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[force]]`: a total force, spread evenly over surfaces.
 #[derive(Debug, Deserialize)]

@@ -2,12 +2,12 @@
 
 use serde::Deserialize;
 use tresca_model::{Gravity, Load, PlaceNames};
+use tresca_io::located::Span;
 
-use super::LoadTable;
+use super::table::LoadTable;
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[gravity]]`: an acceleration that acts on masses.
 #[derive(Debug, Deserialize)]
@@ -40,7 +40,7 @@ impl LoadTable for GravityKeys {
                         "give `{name}` a `density` (0 for no weight), or list the heavy bodies: \
                          `bodies = [\"…\"]` in [[gravity]]"
                     ))
-                    .into());
+                    );
             }
         }
         Ok(Gravity::new(value).on(on))

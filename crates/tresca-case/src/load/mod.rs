@@ -1,4 +1,4 @@
-//! Loads. A new kind is a file beside this one, whose keys implement [`LoadTable`], and a line in the list below.
+//! Loads. A new kind is a file beside this one, whose keys implement [`LoadTable`](table::LoadTable), and a line in the list below.
 
 /// Hands the list of all kinds to a macro: the name of the table, which is that of the file, and its keys.
 macro_rules! kinds_of_loads {
@@ -29,22 +29,16 @@ macro_rules! modules {
 }
 kinds_of_loads!(modules);
 
+mod table;
+
+use tresca_io::located::Span;
 use tresca_model::{Load, PlaceNames};
 
 use crate::error::CaseError;
 use crate::place::{SurfaceList, Wanted};
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
-
-/// The keys of a kind of load.
-pub(crate) trait LoadTable {
-    /// The load; `span` is the place of the table.
-    fn load(&self, span: &Span, reader: &Reader<'_>) -> Result<Load<PlaceNames>, CaseError>;
-
-    /// How load steps call it.
-    fn name(&self) -> Option<At<String>>;
-}
+use crate::text::at::At;
+use table::LoadTable;
 
 impl Reader<'_> {
     pub(crate) fn loads<K: LoadTable>(&mut self, list: &[At<K>]) -> Result<(), CaseError> {

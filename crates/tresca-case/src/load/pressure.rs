@@ -2,14 +2,14 @@
 
 use serde::Deserialize;
 use tresca_model::{Load, PlaceNames, Pressure};
+use tresca_io::located::Span;
 
-use super::LoadTable;
+use super::table::LoadTable;
 use crate::error::CaseError;
 use crate::field::{FieldKeys, Kind};
 use crate::place::SurfaceList;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[pressure]]`: a force per area along the inward normal.
 #[derive(Debug, Deserialize)]

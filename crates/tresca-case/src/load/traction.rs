@@ -2,14 +2,14 @@
 
 use serde::Deserialize;
 use tresca_model::{Load, PlaceNames, Traction};
+use tresca_io::located::Span;
 
-use super::LoadTable;
+use super::table::LoadTable;
 use crate::error::CaseError;
 use crate::field::FieldKeys;
 use crate::place::SurfaceList;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// `[[traction]]`: a force per area on surfaces.
 #[derive(Debug, Deserialize)]

@@ -3,14 +3,14 @@
 use serde::Deserialize;
 use tresca_fem::FemError;
 use tresca_fem::mesh::{self, BrickSpec, CellKind, Mesh, RectangleSpec, Space};
+use tresca_io::located::Span;
 
 use crate::analysis::Analysis;
 use crate::error::{CaseError, FaultKind};
 use crate::expression::VARIABLES;
 use crate::numbers::Components;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 /// Nodes that one body may have. Three unknowns per node: a hundred million nodes are beyond any
 /// direct factorisation, so a larger number is a slip of the pen, better said before memory runs out.
@@ -179,8 +179,7 @@ impl Reader<'_> {
         Err(match &self.analysis_span {
             Some(span) => fault.and_at(span.clone(), "the analysis"),
             None => fault,
-        }
-        .into())
+        })
     }
 
     fn right_of_axis(&self, rectangle: &RectangleKeys) -> Result<(), CaseError> {
@@ -195,8 +194,7 @@ impl Reader<'_> {
                 "the body crosses the axis of revolution",
                 format!("expected a radius of 0 or more, found {:?}", radius.value),
             )
-            .with_help("in an axisymmetric case x is the radius and y runs along the axis")
-            .into())
+            .with_help("in an axisymmetric case x is the radius and y runs along the axis"))
     }
 
     /// A box or rectangle; `word` is what reports call it.
@@ -247,8 +245,7 @@ impl Reader<'_> {
                     format!("expected more than {min:?}, found {max:?}"),
                 )
                 .and_at(low.span(), "the other end")
-                .with_help(help)
-                .into());
+                .with_help(help));
         }
         if f64::is_normal(volume) {
             return Ok(());
@@ -261,8 +258,7 @@ impl Reader<'_> {
                 format!("the {volume_word} of the {word} is beyond the range of numbers"),
                 format!("the product of the {extents} extents is {volume:?}"),
             )
-            .with_help("choose another unit of length")
-            .into())
+            .with_help("choose another unit of length"))
     }
 
     fn nodes<const N: usize>(&self, nodes: &At<Components<usize, N>>) -> Result<(), CaseError> {
@@ -275,8 +271,7 @@ impl Reader<'_> {
                         format!("too few nodes along {letter}"),
                         format!("expected 2 or more, found {}", count.value),
                     )
-                    .with_help("nodes are counted with both ends: 2 nodes make one element")
-                    .into());
+                    .with_help("nodes are counted with both ends: 2 nodes make one element"));
             }
         }
         let product = nodes
@@ -299,7 +294,6 @@ impl Reader<'_> {
                 "the two counts are multiplied: [41, 41] are 1681 nodes"
             } else {
                 "the three counts are multiplied: [41, 41, 41] are 68921 nodes"
-            })
-            .into())
+            }))
     }
 }

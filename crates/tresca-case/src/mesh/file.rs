@@ -2,13 +2,13 @@
 
 use std::rc::Rc;
 
-use tresca_io::mesh::{MeshFile, MeshFileError, Placement};
+use tresca_io::located::Span;
+use tresca_io::mesh::{MeshFault, MeshFile, MeshFileError, Placement};
 
 use super::NamedMesh;
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 
 impl Reader<'_> {
     /// The mesh of a body.
@@ -50,11 +50,10 @@ impl Reader<'_> {
         part: Option<&At<String>>,
         error: &MeshFileError,
     ) -> CaseError {
-        let span = match (error, part) {
-            (
-                MeshFileError::UnknownGroup { .. } | MeshFileError::GroupDimension { .. },
-                Some(part),
-            ) => part.span(),
+        let span = match (error.fact(), part) {
+            (MeshFault::UnknownGroup { .. } | MeshFault::GroupDimension { .. }, Some(part)) => {
+                part.span()
+            }
             _ => file.span(),
         };
         self.bad_mesh(span, error)
@@ -68,13 +67,12 @@ impl Reader<'_> {
             error.to_string(),
             "this mesh cannot be used",
         );
-        match (error, miette::Diagnostic::help(error)) {
-            (MeshFileError::Unreadable { .. }, _) => fault.with_help(
+        match (error.fact(), miette::Diagnostic::help(error)) {
+            (MeshFault::Unreadable { .. }, _) => fault.with_help(
                 "paths that do not start at the root count from the directory of the case file",
             ),
             (_, Some(help)) => fault.with_help(help.to_string()),
             (_, None) => fault,
         }
-        .into()
     }
 }

@@ -11,12 +11,12 @@ use tresca_fem::mesh::Mesh;
 use tresca_io::mesh::{MeshFileError, Note};
 use tresca_io::names::listed;
 
-use crate::error::{CaseError, FaultKind};
+use crate::error::{CaseError, FaultKind, semantic};
 use crate::placement::RotateKeys;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 use block::{BrickKeys, RectangleKeys};
+use tresca_io::located::Span;
 
 pub use block::MAX_NODES;
 
@@ -78,8 +78,7 @@ impl Reader<'_> {
                     "only the mesh of a file has parts",
                     "expected `file` along with it",
                 )
-                .with_help("remove the key `part`")
-                .into());
+                .with_help("remove the key `part`"));
         }
         let (mesh, word) = if let Some(brick) = &keys.brick {
             (self.brick(brick)?, "a brick")
@@ -97,7 +96,7 @@ impl Reader<'_> {
                     "expected `brick`, `rectangle` or `file`",
                 )
                 .with_help("meshes of Gmsh, Abaqus and CalculiX are given as in `mesh = { file = \"part.msh\" }`")
-                .into());
+                );
         };
         let mesh = mesh.and_then(|mesh| match placement.is_identity() {
             true => Ok(mesh),
@@ -111,7 +110,7 @@ impl Reader<'_> {
             mesh: mesh.map_err(|error| {
                 let help = "a brick or a rectangle is given by its corners `min` < `max` and by 2 or more \
                             `nodes` per axis; in the plane it is turned about z only";
-                CaseError::semantic(self.source, span, error.to_string(), "this mesh", help)
+                semantic(self.source, span, error.to_string(), "this mesh", help)
             })?,
             word: word.to_owned(),
             unusable: BTreeMap::new(),
@@ -145,7 +144,6 @@ impl Reader<'_> {
                 format!("{} exclude each other", listed(&given)),
                 "expected one of them",
             )
-            .with_help("each body has its own [[body]]")
-            .into())
+            .with_help("each body has its own [[body]]"))
     }
 }

@@ -9,7 +9,7 @@ use tresca_model::{Amount, ContactId, Quantity, Shape, SupportId};
 
 use crate::error::{CaseError, FaultKind};
 use crate::reader::Reader;
-use crate::text::At;
+use crate::text::at::At;
 
 /// A new value in a load step, as it stands in the text.
 #[derive(Clone, Debug)]
@@ -81,8 +81,7 @@ impl Reader<'_> {
                         "a factor of nothing",
                     )
                     .and_at(self.origins.place(*id), "the obstacle")
-                    .with_help("give it a key `motion`, or a value in this step")
-                    .into())
+                    .with_help("give it a key `motion`, or a value in this step"))
             }
             Some(Quantity::SlipBound(id)) => {
                 self.has_bounds(name, *id)?;
@@ -136,8 +135,7 @@ impl Reader<'_> {
                     format!("`{}` has two slip bounds", name.value),
                     "expected a factor for both",
                 )
-                .with_help(format!("write `factors = {{ {} = … }}`", name.value))
-                .into());
+                .with_help(format!("write `factors = {{ {} = … }}`", name.value)));
         }
         let number = self.new_number(name, value)?;
         let help = "it takes the place of the slip bound";
@@ -160,8 +158,7 @@ impl Reader<'_> {
             .and_at(self.origins.place(contact), "the contact")
             .with_help(
                 "a [[step]] changes the slip bounds of `tresca`, `orthotropic` and `bilateral`",
-            )
-            .into())
+            ))
     }
 
     /// Components that are not given stay as they are.
@@ -192,8 +189,7 @@ impl Reader<'_> {
                     "a component that is free in the other steps",
                 )
                 .and_at(self.origins.place(support), "the support")
-                .with_help("what is held stays the same in all steps; only the values change")
-                .into());
+                .with_help("what is held stays the same in all steps; only the values change"));
         }
         let old = before.of_vector(held.vector());
         Ok(Amount::Vector(std::array::from_fn(|k| {
@@ -227,6 +223,5 @@ impl Reader<'_> {
             format!("found {found}"),
         )
         .and_at(name.span(), kind)
-        .into()
     }
 }

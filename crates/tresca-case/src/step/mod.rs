@@ -12,9 +12,9 @@ use tresca_model::{Amount, Model, Quantity, Step, Subject};
 use crate::error::{CaseError, FaultKind};
 use crate::origins::NamedTable;
 use crate::reader::Reader;
-use crate::source::Span;
-use crate::text::At;
+use crate::text::at::At;
 use amount::AmountKeys;
+use tresca_io::located::Span;
 
 /// Increments that all steps of a case may have together: more is a slip of the pen.
 pub const MAX_INCREMENTS: usize = 100_000;
@@ -73,8 +73,7 @@ impl Reader<'_> {
                             "the value",
                         )
                         .and_at(other.span(), "the factor")
-                        .with_help("remove one of the two")
-                        .into());
+                        .with_help("remove one of the two"));
                 }
                 for &quantity in &self.named(name)?.made {
                     let amount = self.amount(name, value, quantity, after[&quantity])?;
@@ -130,7 +129,7 @@ impl Reader<'_> {
                         "supports, loads, obstacles and contacts have different names, so that a [[step]] \
                          can tell them apart",
                     )
-                    .into());
+                    );
             }
         }
         Ok(())
@@ -151,8 +150,7 @@ impl Reader<'_> {
                 "the time does not increase",
                 format!("expected more than {before:?}, found {end:?}"),
             )
-            .with_help("`time` is the instant of the end of a step; the first step starts at 0")
-            .into())
+            .with_help("`time` is the instant of the end of a step; the first step starts at 0"))
     }
 
     fn increments(&self, increments: Option<&At<usize>>) -> Result<usize, CaseError> {
@@ -179,8 +177,7 @@ impl Reader<'_> {
             .with_help(format!(
                 "a case has at most {MAX_INCREMENTS} increments, in each of which the contact \
                  problem is solved"
-            ))
-            .into())
+            )))
     }
 
     fn named(&self, name: &At<String>) -> Result<&NamedTable, CaseError> {
@@ -207,8 +204,7 @@ impl Reader<'_> {
             .with_help(match all.as_slice() {
                 [] => "none of them has a name in this file: give it a key `name`".to_owned(),
                 _ => format!("the names of this case are {}", listed(&all)),
-            })
-            .into())
+            }))
     }
 
     fn no_way_between(&self, place: Span) -> CaseError {
@@ -219,7 +215,6 @@ impl Reader<'_> {
             "from a multiple of something that varies to a constant, or back",
         )
         .with_help("use factors in both steps, or a single increment")
-        .into()
     }
 }
 

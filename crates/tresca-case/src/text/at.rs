@@ -6,8 +6,7 @@ use std::ops::Deref;
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, SeqAccess, Visitor};
-
-use crate::source::Span;
+use tresca_io::located::Span;
 
 /// What the deserializer knows an [`At`] by; no type of serde's has this name.
 pub(super) const NAME: &str = "tresca_case::At";

@@ -9,10 +9,10 @@ use serde::de::{
 use serde::forward_to_deserialize_any;
 use toml::Spanned;
 use toml::de::{DeInteger, DeString, DeTable, DeValue};
+use tresca_io::located::Span;
 
 use super::at;
 use super::shape::{Expected, ShapeError};
-use crate::source::Span;
 
 /// Reads the table of a whole file.
 pub(super) fn table<K: DeserializeOwned>(root: &Spanned<DeTable<'_>>) -> Result<K, ShapeError> {

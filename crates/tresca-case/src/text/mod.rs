@@ -1,26 +1,23 @@
 //! From text to keys: TOML is read into the structs that declare the keys, and whatever does not fit is reported in plain
 //! words, with the keys that belong there and what was probably meant.
 
-mod at;
+pub(crate) mod at;
 mod deserializer;
-mod shape;
+pub(crate) mod shape;
 mod syntax;
 
 use serde::de::DeserializeOwned;
 use toml::de::DeTable;
-
-pub(crate) use at::At;
-pub(crate) use shape::unsupported;
+use tresca_io::located::SourceText;
 
 use crate::error::CaseError;
-use crate::source::CaseSource;
 
 /// Parses a text, lets `ahead` look at the tree, and reads the keys.
 pub(crate) fn read<K: DeserializeOwned>(
-    source: &CaseSource,
+    source: &SourceText,
     ahead: impl FnOnce(&DeTable<'_>) -> Result<(), CaseError>,
 ) -> Result<K, CaseError> {
-    let root = DeTable::parse(source.text()).map_err(|error| syntax::fault(source, &error))?;
+    let root = DeTable::parse(source.text()).map_err(|error| syntax::report(source, &error))?;
     ahead(root.get_ref())?;
-    deserializer::table(&root).map_err(|error| shape::fault(source, error))
+    deserializer::table(&root).map_err(|error| shape::report(source, error))
 }

@@ -3,10 +3,10 @@
 use std::fmt;
 
 use serde::de;
+use tresca_io::located::{SourceText, Span};
 use tresca_io::names::{listed, nearest};
 
-use crate::error::{CaseError, Fault, FaultKind};
-use crate::source::{CaseSource, Span};
+use crate::error::{CaseError, FaultKind, fault_in};
 
 /// What does not fit, with its place as soon as that is known.
 #[derive(Debug)]
@@ -120,11 +120,10 @@ impl fmt::Display for ShapeError {
 impl std::error::Error for ShapeError {}
 
 /// The report.
-pub(super) fn fault(source: &CaseSource, error: ShapeError) -> CaseError {
+pub(super) fn report(source: &SourceText, error: ShapeError) -> CaseError {
     let span = source.clip(error.span.unwrap_or(0..0));
-    let fault = |kind, message: String, label: String| {
-        Fault::new(kind, source, span.clone(), message, label)
-    };
+    let fault =
+        |kind, message: String, label: String| fault_in(kind, source, span.clone(), message, label);
     match error.shape {
         Shape::UnknownKey(found, allowed) => {
             let label = match nearest(&found, allowed.iter().copied()) {
@@ -168,7 +167,6 @@ pub(super) fn fault(source: &CaseSource, error: ShapeError) -> CaseError {
             fault(FaultKind::BadValue, fact, message)
         }
     }
-    .into()
 }
 
 impl Expected {
@@ -229,17 +227,17 @@ fn help_with_type(expected: &Expected, found: &Found, text: &str) -> Option<Stri
 
 /// A word that is none of those `allowed`.
 pub(crate) fn unsupported(
-    source: &CaseSource,
+    source: &SourceText,
     span: Span,
     message: impl Into<String>,
     found: &str,
     allowed: &[&str],
-) -> Fault {
+) -> CaseError {
     let label = match (nearest(found, allowed.iter().copied()), allowed) {
         (Some(near), _) => format!("did you mean `{near}`?"),
         (None, [only]) => format!("expected `{only}`"),
         (None, _) => format!("expected one of {}", listed(allowed)),
     };
-    Fault::new(FaultKind::BadValue, source, span, message, label)
+    fault_in(FaultKind::BadValue, source, span, message, label)
         .with_help(format!("supported: {}", listed(allowed)))
 }

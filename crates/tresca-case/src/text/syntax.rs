@@ -1,16 +1,16 @@
 //! Text that is no TOML.
 
 use toml::de::{DeTable, Error};
+use tresca_io::located::{SourceText, Span};
 
-use crate::error::{CaseError, Fault, FaultKind};
-use crate::source::{CaseSource, Span};
+use crate::error::{CaseError, FaultKind, fault_in};
 
 /// The report. What the parser says is shown, never interpreted: its words may change.
-pub(super) fn fault(source: &CaseSource, error: &Error) -> CaseError {
+pub(super) fn report(source: &SourceText, error: &Error) -> CaseError {
     let span = source.clip(error.span().unwrap_or(0..0));
     if is_second_key(source, &span) {
         let message = "the same key or table stands here a second time";
-        return Fault::new(
+        return fault_in(
             FaultKind::Duplicate,
             source,
             span,
@@ -20,8 +20,7 @@ pub(super) fn fault(source: &CaseSource, error: &Error) -> CaseError {
         .with_help(
             "a key is given once per table; entries of a list of tables each start with double \
                  brackets, as in `[[body]]`",
-        )
-        .into();
+        );
     }
     let (label, help) = match follows_decimal_comma(source, &span) {
         true => (
@@ -35,13 +34,11 @@ pub(super) fn fault(source: &CaseSource, error: &Error) -> CaseError {
         ),
     };
     let message = "the case file is not valid TOML";
-    Fault::new(FaultKind::Syntax, source, span, message, label)
-        .with_help(help)
-        .into()
+    fault_in(FaultKind::Syntax, source, span, message, label).with_help(help)
 }
 
 /// Whether a key of another name would be in order at this place: then the key is right, and there are two of it.
-fn is_second_key(source: &CaseSource, span: &Span) -> bool {
+fn is_second_key(source: &SourceText, span: &Span) -> bool {
     let text = source.text();
     let key = source.slice(span.clone());
     if key.trim().is_empty() || DeTable::parse(&format!("{key} = 0")).is_err() {
@@ -62,7 +59,7 @@ fn is_second_key(source: &CaseSource, span: &Span) -> bool {
 
 /// Whether the text before the fault ends with a number like `0,277`: the reader takes what stands
 /// behind the comma for a key, and stumbles at its end.
-fn follows_decimal_comma(source: &CaseSource, span: &Span) -> bool {
+fn follows_decimal_comma(source: &SourceText, span: &Span) -> bool {
     let before = source.slice(0..span.start).trim_end();
     let decimals = before.trim_end_matches(|c: char| c.is_ascii_digit());
     decimals.len() < before.len()

@@ -1,6 +1,6 @@
 //! A good file gives the values that stand in it.
 
-use tresca_case::{CaseError, FaultKind};
+use tresca_case::FaultKind;
 use tresca_fem::material::Isotropic;
 use tresca_model::{ContactId, LoadId, LoadKind, Subject};
 
@@ -71,7 +71,7 @@ fn what_may_be_absent_gets_its_default() {
 fn line_ends_and_a_byte_order_mark_make_no_difference() {
     let windows = format!("\u{feff}{}", GOOD.replace('\n', "\r\n"));
     let case = parse(&windows).unwrap();
-    let span = case.source.locate("body[1].material.poisson").unwrap();
+    let span = case.locate("body[1].material.poisson").unwrap();
     assert_eq!(&case.source.text()[span.clone()], "0.35");
     assert_eq!(case.source.line_column(span.start), (11, 39));
 }
@@ -93,8 +93,8 @@ fn parts_of_the_model_have_their_places() {
 
 #[test]
 fn later_checks_find_the_place_of_a_key() {
-    let source = parse(GOOD).unwrap().source;
-    let text = |path: &str| source.locate(path).map(|span| &GOOD[span]);
+    let case = parse(GOOD).unwrap();
+    let text = |path: &str| case.locate(path).map(|span| &GOOD[span]);
     assert_eq!(text("solver.tolerance"), Some("1e-8"));
     assert_eq!(text("body[1].material.poisson"), Some("0.35"));
     assert_eq!(text("body[0].mesh.brick.nodes"), Some("[16, 16, 16]"));
@@ -117,19 +117,16 @@ fn later_checks_report_like_the_early_ones() {
         let start = GOOD.find(word).unwrap();
         start..start + word.len()
     };
-    let error = CaseError::semantic(
-        &case.source,
-        span("\"upper.z-\""),
-        "the two surfaces do not match node by node",
-        "16 × 16 nodes",
-        "give both bodies the same `nodes` along the contact surface",
-    )
-    .and_at(span("\"lower.z+\""), "16 × 15 nodes");
+    let error = case
+        .fault_at(
+            span("\"upper.z-\""),
+            "the two surfaces do not match node by node",
+            "16 × 16 nodes",
+            "give both bodies the same `nodes` along the contact surface",
+        )
+        .and_at(span("\"lower.z+\""), "16 × 15 nodes");
     assert_eq!(error.line_column(), Some((21, 9)));
-    let CaseError::Fault(fault) = &error else {
-        panic!("{error:?}");
-    };
-    assert_eq!(fault.kind(), FaultKind::Semantic);
+    assert_eq!(error.fact().kind, FaultKind::Semantic);
     insta::assert_snapshot!(render(&error), @r#"
     case::semantic
 

@@ -1,61 +1,62 @@
 //! What can be wrong with a file of a frictional contact problem.
 
+use std::error::Error;
 use std::fmt;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use crate::located::{Fact, Located, Place, Position};
+
+/// Why a problem was not read, and where.
+pub type FclibError = Located<FclibFault>;
 
 /// Why a problem was not read.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[derive(Debug)]
 #[non_exhaustive]
-pub enum FclibError {
+pub enum FclibFault {
     /// The operating system refused.
-    #[error("cannot read `{}`", path.display())]
-    #[diagnostic(code(fclib::io))]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// What the operating system says.
-        #[source]
-        source: io::Error,
-    },
+    Io(io::Error),
     /// Something in the file is not in order.
-    #[error("`{}`, {place}: {defect}", path.display())]
-    #[diagnostic(code(fclib::content))]
-    Content {
-        /// The file.
-        path: PathBuf,
-        /// Where in it.
-        place: Place,
-        /// What.
-        #[source]
-        defect: Defect,
-    },
+    Content(Defect),
     /// HDF5 in a program that cannot read it.
-    #[error("`{}` is an HDF5 file, and this program was built without HDF5", path.display())]
-    #[diagnostic(
-        code(fclib::without_hdf5),
-        help("build with the feature `fclib`, which the program has by default")
-    )]
-    WithoutHdf5 {
-        /// The file.
-        path: PathBuf,
-    },
+    WithoutHdf5,
 }
 
-/// A place in a file.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Place {
-    /// A dataset or group of an HDF5 file, or a vector or matrix of any problem, by its name.
-    Dataset(String),
-    /// A line of a text file, counted from 1.
-    Line(usize),
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Fact for FclibFault {
+    fn code(&self) -> &'static str {
         match self {
-            Place::Dataset(name) => write!(f, "`{name}`"),
-            Place::Line(number) => write!(f, "line {number}"),
+            FclibFault::Io(_) => "fclib::io",
+            FclibFault::Content(_) => "fclib::content",
+            FclibFault::WithoutHdf5 => "fclib::without_hdf5",
+        }
+    }
+
+    fn tell(&self, place: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = place.path.display();
+        match self {
+            FclibFault::Io(_) => write!(f, "cannot read `{path}`"),
+            FclibFault::Content(defect) => match &place.position {
+                Position::Line(line) => write!(f, "`{path}`, line {line}: {defect}"),
+                Position::Part(name) => write!(f, "`{path}`, `{name}`: {defect}"),
+                _ => write!(f, "{place}: {defect}"),
+            },
+            FclibFault::WithoutHdf5 => write!(
+                f,
+                "`{path}` is an HDF5 file, and this program was built without HDF5"
+            ),
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = "build with the feature `fclib`, which the program has by default";
+        matches!(self, FclibFault::WithoutHdf5).then(|| help.to_owned())
+    }
+
+    fn cause(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            FclibFault::Io(error) => Some(error),
+            FclibFault::Content(defect) => Some(defect),
+            FclibFault::WithoutHdf5 => None,
         }
     }
 }
@@ -162,28 +163,26 @@ pub enum Defect {
     Unsupported(&'static str),
     /// The HDF5 file is damaged, or has a part that cannot be decoded.
     #[error("cannot be read: {0}")]
-    Hdf5(Box<dyn std::error::Error + Send + Sync>),
+    Hdf5(Box<dyn Error + Send + Sync>),
 }
 
 /// An error whose file is not known yet.
 #[derive(Debug)]
 pub(super) enum Trouble {
-    Content(Place, Defect),
+    Content(Position, Defect),
     #[cfg(not(feature = "fclib"))]
     WithoutHdf5,
 }
 
 impl Trouble {
     pub fn of_file(self, path: &Path) -> FclibError {
-        let path = path.to_owned();
         match self {
-            Trouble::Content(place, defect) => FclibError::Content {
-                path,
-                place,
-                defect,
-            },
+            Trouble::Content(position, defect) => {
+                let path = path.to_owned();
+                Located::new(FclibFault::Content(defect), Place { path, position })
+            }
             #[cfg(not(feature = "fclib"))]
-            Trouble::WithoutHdf5 => FclibError::WithoutHdf5 { path },
+            Trouble::WithoutHdf5 => Located::new(FclibFault::WithoutHdf5, path),
         }
     }
 }
@@ -191,11 +190,11 @@ impl Trouble {
 impl Defect {
     /// In a part of the problem.
     pub(super) fn at(self, name: impl Into<String>) -> Trouble {
-        Trouble::Content(Place::Dataset(name.into()), self)
+        Trouble::Content(Position::Part(name.into()), self)
     }
 
     /// In a line of a text.
     pub(super) fn on(self, line: usize) -> Trouble {
-        Trouble::Content(Place::Line(line), self)
+        Trouble::Content(Position::Line(line), self)
     }
 }

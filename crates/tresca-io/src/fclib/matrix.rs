@@ -1,6 +1,6 @@
 //! A sparse matrix as plain data.
 
-use super::Defect;
+use crate::fclib::error::Defect;
 
 /// A sparse matrix: its entries by rows, columns ascending within a row, no place twice.
 #[derive(Clone, Debug, PartialEq)]

@@ -21,7 +21,7 @@
 //! and Siconos' rolling friction. Both are refused, not ignored.
 
 mod dat;
-mod error;
+pub(crate) mod error;
 #[cfg(feature = "fclib")]
 mod hdf5;
 mod matrix;
@@ -29,7 +29,7 @@ mod problem;
 
 use std::path::Path;
 
-pub use error::{Defect, FclibError, Place};
+pub use error::{Defect, FclibError, FclibFault};
 pub use matrix::Matrix;
 pub use problem::{Document, GlobalProblem, Info, LocalProblem, Problem, State};
 
@@ -39,14 +39,12 @@ const HDF5_SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
 /// Reads an FCLIB file or a `.dat` file, whichever it is.
 ///
 /// # Errors
-/// [`FclibError::Io`] when the file cannot be read, [`FclibError::Content`] with the dataset or the
-/// line when its content is not in order, [`FclibError::WithoutHdf5`] for an HDF5 file in a program
+/// [`FclibFault::Io`] when the file cannot be read, [`FclibFault::Content`] with the dataset or the
+/// line when its content is not in order, [`FclibFault::WithoutHdf5`] for an HDF5 file in a program
 /// that was built without the feature `fclib`.
 pub fn read(path: &Path) -> Result<Document, FclibError> {
-    let bytes = std::fs::read(path).map_err(|source| FclibError::Io {
-        path: path.to_owned(),
-        source,
-    })?;
+    let bytes =
+        std::fs::read(path).map_err(|error| FclibError::new(FclibFault::Io(error), path))?;
     let document = if bytes.starts_with(HDF5_SIGNATURE) {
         read_hdf5(bytes)
     } else {

@@ -1,7 +1,8 @@
 //! The problems as plain data.
 
-use super::{Defect, Matrix};
-use crate::WriteError;
+use crate::error::WriteError;
+use crate::fclib::error::Defect;
+use crate::fclib::matrix::Matrix;
 
 /// What a file holds.
 #[derive(Clone, Debug, PartialEq)]

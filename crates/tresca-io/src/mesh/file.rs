@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use tresca_fem::mesh::CellKind;
 
-use super::MeshFileError;
 use super::cells::FileCells;
+use crate::mesh::error::{MeshFault, MeshFileError};
 use crate::names::listed;
 
 /// A mesh file: points, cells of all kinds and dimensions, groups by name.
@@ -63,22 +63,21 @@ impl MeshFile {
     /// The group of a name and dimension.
     ///
     /// # Errors
-    /// [`MeshFileError::GroupDimension`] where only groups of other dimensions have the name,
-    /// [`MeshFileError::UnknownGroup`] where none has.
+    /// [`MeshFault::GroupDimension`] where only groups of other dimensions have the name,
+    /// [`MeshFault::UnknownGroup`] where none has.
     pub fn group(&self, name: &str, dimension: usize) -> Result<&Group, MeshFileError> {
         let named = || self.groups.iter().filter(|group| group.name == name);
         if let Some(group) = named().find(|group| group.dimension == dimension) {
             return Ok(group);
         }
         Err(match named().next() {
-            Some(other) => MeshFileError::GroupDimension {
-                path: self.path.clone(),
+            Some(other) => MeshFault::GroupDimension {
                 name: name.to_owned(),
                 expected: dimension,
                 found: other.dimension,
-            },
-            None => MeshFileError::UnknownGroup {
-                path: self.path.clone(),
+            }
+            .at(self.path.clone()),
+            None => MeshFault::UnknownGroup {
                 name: name.to_owned(),
                 dimension,
                 known: self
@@ -86,7 +85,8 @@ impl MeshFile {
                     .into_iter()
                     .map(str::to_owned)
                     .collect(),
-            },
+            }
+            .at(self.path.clone()),
         })
     }
 

@@ -2,7 +2,7 @@
 
 use tresca_fem::mesh::BoundingBox;
 
-use super::error::MeshFileError;
+use super::error::{MeshFault, MeshFileError};
 use super::file::MeshFile;
 
 /// Distances below this part of a body's size are rounding: coordinates that should be 0 become 0.
@@ -19,11 +19,11 @@ impl MeshFile {
         let small = ROUNDING * BoundingBox::around(points.iter().copied()).diagonal();
         for (point, &node) in points.iter_mut().zip(nodes) {
             if point[2].abs() > small {
-                return Err(MeshFileError::OffPlane {
-                    path: self.path.clone(),
+                return Err(MeshFault::OffPlane {
                     node: self.point_numbers[node],
                     z: point[2],
-                });
+                }
+                .at(self.path.clone()));
             }
             point[2] = 0.0;
         }

@@ -40,9 +40,9 @@ mod surface;
 
 use std::path::Path;
 
-pub use body::{BodyMesh, Note};
+pub use body::{BodyMesh, note::Note};
 pub use cells::FileCells;
-pub use error::{MeshFileError, Place, Position};
+pub use error::{MeshFault, MeshFileError};
 pub use file::{Group, MeshFile};
 pub use placement::{Placement, Rotation};
 pub use surface::RigidSurface;
@@ -54,7 +54,7 @@ pub use surface::RigidSurface;
 /// [`MeshFile::body`] and [`MeshFile::surface`].
 pub fn read(path: impl AsRef<Path>) -> Result<MeshFile, MeshFileError> {
     let path = path.as_ref();
-    let bytes = std::fs::read(path).map_err(MeshFileError::unreadable(path))?;
+    let bytes = std::fs::read(path).map_err(MeshFault::unreadable(path))?;
     parse(path, &bytes)
 }
 
@@ -72,10 +72,10 @@ pub fn parse(path: impl AsRef<Path>, bytes: &[u8]) -> Result<MeshFile, MeshFileE
         _ => {
             let start = &bytes[..bytes.len().min(24)];
             let text = String::from_utf8_lossy(start);
-            Err(MeshFileError::Format {
-                path: path.to_owned(),
+            Err(MeshFault::Format {
                 found: text.escape_debug().to_string(),
-            })
+            }
+            .at(path.to_owned()))
         }
     }
 }

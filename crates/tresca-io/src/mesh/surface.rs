@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use tresca_fem::mesh::CellKind;
 
-use super::error::MeshFileError;
+use super::error::{MeshFault, MeshFileError};
 use super::faces::side;
 use super::file::MeshFile;
 use super::order::{reorder, turned_over};
@@ -41,9 +41,9 @@ impl MeshFile {
     /// `dimension` is that of the space: 3, or 2 for curves in the plane.
     ///
     /// # Errors
-    /// [`MeshFileError::NoCells`], [`MeshFileError::UnknownGroup`],
-    /// [`MeshFileError::GroupDimension`], [`MeshFileError::OffPlane`],
-    /// [`MeshFileError::Orientation`].
+    /// [`MeshFault::NoCells`], [`MeshFault::UnknownGroup`],
+    /// [`MeshFault::GroupDimension`], [`MeshFault::OffPlane`],
+    /// [`MeshFault::Orientation`].
     pub fn surface(
         &self,
         dimension: usize,
@@ -108,22 +108,24 @@ impl MeshFile {
             .collect();
         if drafts.is_empty() {
             let count = |dimension| self.cells.of_dimension(dimension).count();
-            return Err(MeshFileError::NoCells {
-                path: self.path.clone(),
+            return Err(MeshFault::NoCells {
                 dimension: dimension - 1,
                 found: [count(1), count(2), count(3)],
-            });
+            }
+            .at(self.path.clone()));
         }
         Ok(drafts)
     }
 
     /// Gives all faces that hang together the same sides.
     fn orient(&self, faces: &mut [Draft], group: Option<&str>) -> Result<(), MeshFileError> {
-        let fault = |face: &Draft, reason| MeshFileError::Orientation {
-            path: self.path.clone(),
-            group: group.map(str::to_owned),
-            element: self.element(face.cell),
-            reason,
+        let fault = |face: &Draft, reason| {
+            MeshFault::Orientation {
+                group: group.map(str::to_owned),
+                element: self.element(face.cell),
+                reason,
+            }
+            .at(self.path.clone())
         };
         let mut edges: HashMap<[usize; 2], Vec<(usize, bool)>> = HashMap::new();
         for (i, face) in faces.iter().enumerate() {

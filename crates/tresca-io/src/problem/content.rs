@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use super::{Dense, ProblemError, Sparse};
 use crate::names::nearest;
+use crate::problem::arrays::{Dense, Sparse};
+use crate::problem::error::{ProblemError, ProblemFault};
 
 /// Every key, with what it means. Blocks of K may also be called `K0`, `K1`, ….
 pub const KEYS: &[(&str, &str)] = &[
@@ -105,23 +106,19 @@ pub(super) fn collect(source: &mut dyn Source) -> Result<Content, ProblemError> 
     let known =
         |key: &str| KEYS.iter().any(|(known, _)| *known == key) || block_number(key).is_some();
     if let Some(key) = keys.iter().find(|key| !known(key)) {
-        return Err(ProblemError::Unknown {
-            path,
-            key: key.clone(),
+        return Err(ProblemFault::Unknown {
             nearest: nearest(key, KEYS.iter().map(|(known, _)| *known)).map(str::to_owned),
-        });
+        }
+        .at(&path, key.clone()));
     }
     let has = |key: &str| keys.iter().any(|own| own == key);
-    let missing = |key: &str, meaning| ProblemError::Missing {
-        path: path.clone(),
-        key: key.to_owned(),
-        meaning,
-    };
-    let wrong = |key: &str, expected: &str, found: String| ProblemError::Wrong {
-        path: path.clone(),
-        key: key.to_owned(),
-        expected: expected.to_owned(),
-        found,
+    let missing = |key: &str, meaning| ProblemFault::Missing { meaning }.at(&path, key);
+    let wrong = |key: &str, expected: &str, found: String| {
+        ProblemFault::Wrong {
+            expected: expected.to_owned(),
+            found,
+        }
+        .at(&path, key)
     };
 
     let blocks = keys.iter().filter_map(|key| block_number(key)).count();

@@ -1,82 +1,42 @@
 //! What can be wrong with a problem in files.
 
+use std::error::Error;
+use std::fmt;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+use crate::located::{Fact, Located, Place, Position};
+
+/// Why a problem was not read, and where.
+pub type ProblemError = Located<ProblemFault>;
 
 /// Why a problem was not read.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum ProblemError {
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum ProblemFault {
     /// The operating system refused.
-    #[error("cannot read `{}`", path.display())]
-    #[diagnostic(code(problem::io))]
-    Io {
-        /// The file or folder.
-        path: PathBuf,
-        /// What the operating system says.
-        #[source]
-        source: io::Error,
-    },
-    /// Not a ZIP archive.
-    #[error("`{}` is no .npz archive: {reason}", path.display())]
-    #[diagnostic(
-        code(problem::archive),
-        help("write it by `numpy.savez`, or give a folder of Matrix Market files")
-    )]
-    Archive {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
-    },
-    /// Something that must be there is not.
-    #[error("`{}` has no `{key}`: {meaning}", path.display())]
-    #[diagnostic(code(problem::missing), help("docs/problem-files.md lists the keys"))]
+    Io(io::Error),
+    /// Not a ZIP archive; what is wrong with it.
+    Archive(String),
+    /// The array at the place, which must be there, is not.
     Missing {
-        /// The file or folder.
-        path: PathBuf,
-        /// What is missing.
-        key: String,
         /// What it should be.
         meaning: &'static str,
     },
-    /// Something that means nothing.
-    #[error("`{}` has `{key}`, which means nothing here{}", path.display(), nearest_hint(nearest.as_deref()))]
-    #[diagnostic(
-        code(problem::unknown),
-        help("docs/problem-files.md lists the keys; what stands under `info/` is ignored")
-    )]
+    /// The array at the place means nothing.
     Unknown {
-        /// The file or folder.
-        path: PathBuf,
-        /// The key found.
-        key: String,
         /// The key that was probably meant.
         nearest: Option<String>,
     },
-    /// Something of another kind or size than expected.
-    #[error("`{key}` in `{}`: expected {expected}, found {found}", path.display())]
-    #[diagnostic(
-        code(problem::wrong),
-        help("docs/problem-files.md says what belongs there")
-    )]
-    Wrong {
-        /// The file.
-        path: PathBuf,
-        /// The key.
-        key: String,
-        /// What it should be.
-        expected: String,
-        /// What it is.
-        found: String,
-    },
     /// A line of a Matrix Market file that cannot be read.
-    #[error("`{}`, line {line}: expected {expected}, found {found}", path.display())]
-    #[diagnostic(code(problem::line))]
     Line {
-        /// The file.
-        path: PathBuf,
-        /// Its line, from 1.
-        line: usize,
+        /// What it should be.
+        expected: String,
+        /// What it is.
+        found: String,
+    },
+    /// Something of another kind or size than expected.
+    Wrong {
         /// What it should be.
         expected: String,
         /// What it is.
@@ -84,14 +44,85 @@ pub enum ProblemError {
     },
 }
 
-fn nearest_hint(nearest: Option<&str>) -> String {
-    nearest.map_or_else(String::new, |name| format!("; did you mean `{name}`?"))
+impl Fact for ProblemFault {
+    fn code(&self) -> &'static str {
+        match self {
+            ProblemFault::Io(_) => "problem::io",
+            ProblemFault::Archive(_) => "problem::archive",
+            ProblemFault::Missing { .. } => "problem::missing",
+            ProblemFault::Unknown { .. } => "problem::unknown",
+            ProblemFault::Line { .. } => "problem::line",
+            ProblemFault::Wrong { .. } => "problem::wrong",
+        }
+    }
+
+    fn tell(&self, place: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = place.path.display();
+        let (key, line) = match &place.position {
+            Position::Part(key) => (key.as_str(), 0),
+            Position::Line(line) => ("", *line),
+            _ => ("", 0),
+        };
+        match self {
+            ProblemFault::Io(_) => write!(f, "cannot read `{path}`"),
+            ProblemFault::Archive(reason) => write!(f, "`{path}` is no .npz archive: {reason}"),
+            ProblemFault::Missing { meaning } => write!(f, "`{path}` has no `{key}`: {meaning}"),
+            ProblemFault::Unknown { nearest } => {
+                write!(f, "`{path}` has `{key}`, which means nothing here")?;
+                match nearest {
+                    Some(name) => write!(f, "; did you mean `{name}`?"),
+                    None => Ok(()),
+                }
+            }
+            ProblemFault::Line { expected, found } => write!(
+                f,
+                "`{path}`, line {line}: expected {expected}, found {found}"
+            ),
+            ProblemFault::Wrong { expected, found } => {
+                write!(f, "`{key}` in `{path}`: expected {expected}, found {found}")
+            }
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        let help = match self {
+            ProblemFault::Archive(_) => {
+                "write it by `numpy.savez`, or give a folder of Matrix Market files"
+            }
+            ProblemFault::Missing { .. } => "docs/problem-files.md lists the keys",
+            ProblemFault::Unknown { .. } => {
+                "docs/problem-files.md lists the keys; what stands under `info/` is ignored"
+            }
+            ProblemFault::Wrong { .. } => "docs/problem-files.md says what belongs there",
+            ProblemFault::Io(_) | ProblemFault::Line { .. } => return None,
+        };
+        Some(help.to_owned())
+    }
+
+    fn cause(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            ProblemFault::Io(error) => Some(error),
+            _ => None,
+        }
+    }
 }
 
-impl ProblemError {
+impl ProblemFault {
+    /// In an array, or a key of a table.
+    pub fn at(self, path: impl AsRef<Path>, key: impl Into<String>) -> ProblemError {
+        let (path, position) = (path.as_ref().to_owned(), Position::Part(key.into()));
+        Located::new(self, Place { path, position })
+    }
+
+    /// On a line of a text.
+    pub(super) fn on(self, path: &Path, line: usize) -> ProblemError {
+        let (path, position) = (path.to_owned(), Position::Line(line));
+        Located::new(self, Place { path, position })
+    }
+
     /// For `map_err`.
-    pub(super) fn io(path: &Path) -> impl FnOnce(io::Error) -> Self {
+    pub(super) fn io(path: &Path) -> impl FnOnce(io::Error) -> ProblemError {
         let path = path.to_owned();
-        move |source| Self::Io { path, source }
+        move |error| Located::new(Self::Io(error), path)
     }
 }

@@ -9,9 +9,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::content::Source;
-use super::{Content, Dense, ProblemError, Sparse, Words};
-use crate::WriteError;
 use crate::atomic::OutputSet;
+use crate::error::WriteError;
+use crate::problem::arrays::{Dense, Sparse};
+use crate::problem::content::{Content, Words};
+use crate::problem::error::{ProblemError, ProblemFault};
 
 /// Words and single numbers.
 const TABLE: &str = "problem.toml";
@@ -27,8 +29,8 @@ pub(super) struct Folder {
 impl Folder {
     pub fn open(path: &Path) -> Result<Self, ProblemError> {
         let mut files = Vec::new();
-        for entry in fs::read_dir(path).map_err(ProblemError::io(path))? {
-            let file = entry.map_err(ProblemError::io(path))?.path();
+        for entry in fs::read_dir(path).map_err(ProblemFault::io(path))? {
+            let file = entry.map_err(ProblemFault::io(path))?.path();
             if file.extension().is_some_and(|extension| extension == "mtx")
                 && let Some(stem) = file.file_stem().and_then(|stem| stem.to_str())
             {
@@ -38,29 +40,30 @@ impl Folder {
         files.sort();
         let file = path.join(TABLE);
         let table = if file.exists() {
-            let text = fs::read_to_string(&file).map_err(ProblemError::io(&file))?;
+            let text = fs::read_to_string(&file).map_err(ProblemFault::io(&file))?;
             text.parse().map_err(|error: toml::de::Error| {
                 let offset = error.span().map_or(0, |span| span.start);
-                ProblemError::Line {
-                    line: 1 + text.as_bytes()[..offset.min(text.len())]
-                        .iter()
-                        .filter(|b| **b == b'\n')
-                        .count(),
-                    path: file.clone(),
+                ProblemFault::Wrong {
                     expected: "TOML".to_owned(),
                     found: error.message().to_owned(),
                 }
+                .on(
+                    &file,
+                    1 + text.as_bytes()[..offset.min(text.len())]
+                        .iter()
+                        .filter(|b| **b == b'\n')
+                        .count(),
+                )
             })?
         } else {
             toml::Table::new()
         };
         if let Some(key) = files.iter().find(|key| table.contains_key(*key)) {
-            return Err(ProblemError::Wrong {
-                path: file,
-                key: key.clone(),
+            return Err(ProblemFault::Wrong {
                 expected: format!("it in one place: here or in {key}.mtx"),
                 found: "both".to_owned(),
-            });
+            }
+            .at(&file, key.clone()));
         }
         Ok(Self {
             path: path.to_owned(),
@@ -70,17 +73,16 @@ impl Folder {
     }
 
     fn wrong(&self, key: &str, expected: &str, found: impl Into<String>) -> ProblemError {
-        ProblemError::Wrong {
-            path: self.path.join(TABLE),
-            key: key.to_owned(),
+        ProblemFault::Wrong {
             expected: expected.to_owned(),
             found: found.into(),
         }
+        .at(&self.path.join(TABLE), key)
     }
 
     fn file(&self, key: &str) -> Result<File, ProblemError> {
         let path = self.path.join(format!("{key}.mtx"));
-        let text = fs::read_to_string(&path).map_err(ProblemError::io(&path))?;
+        let text = fs::read_to_string(&path).map_err(ProblemFault::io(&path))?;
         parse(&path, &text)
     }
 }
@@ -188,12 +190,11 @@ impl<'a> Lines<'a> {
     }
 
     fn wrong(&self, expected: &str, found: &str) -> ProblemError {
-        ProblemError::Line {
-            path: self.path.to_owned(),
-            line: self.last,
+        ProblemFault::Line {
             expected: expected.to_owned(),
             found: found.to_owned(),
         }
+        .on(&self.path, self.last)
     }
 
     fn counts<const N: usize>(&mut self, expected: &str) -> Result<[usize; N], ProblemError> {

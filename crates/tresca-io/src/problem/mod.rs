@@ -11,7 +11,7 @@ mod npz;
 
 pub use arrays::{Dense, Sparse};
 pub use content::{Content, KEYS, Words};
-pub use error::ProblemError;
+pub use error::{ProblemError, ProblemFault};
 pub use matrix_market::write_folder;
 pub use npz::{Archive, write_npz};
 

@@ -9,8 +9,10 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::content::Source;
-use super::{Content, Dense, ProblemError, Sparse, Words};
-use crate::WriteError;
+use crate::error::WriteError;
+use crate::problem::arrays::{Dense, Sparse};
+use crate::problem::content::{Content, Words};
+use crate::problem::error::{ProblemError, ProblemFault};
 
 /// Parts of a sparse matrix, as `scipy.sparse.save_npz` calls them.
 const PARTS: [&str; 7] = ["data", "indices", "indptr", "shape", "format", "row", "col"];
@@ -34,12 +36,9 @@ enum Found {
 
 impl Reader {
     pub fn open(path: &Path) -> Result<Self, ProblemError> {
-        let file = File::open(path).map_err(ProblemError::io(path))?;
-        let archive =
-            ZipArchive::new(BufReader::new(file)).map_err(|error| ProblemError::Archive {
-                path: path.to_owned(),
-                reason: error.to_string(),
-            })?;
+        let file = File::open(path).map_err(ProblemFault::io(path))?;
+        let archive = ZipArchive::new(BufReader::new(file))
+            .map_err(|error| ProblemError::new(ProblemFault::Archive(error.to_string()), path))?;
         let names = (0..archive.len()).filter_map(|index| {
             let name = archive.name_for_index(index)?.ok()?;
             npyz::npz::array_name_from_file_name(&name).map(str::to_owned)
@@ -53,12 +52,11 @@ impl Reader {
     }
 
     fn wrong(&self, key: &str, expected: &str, found: impl Into<String>) -> ProblemError {
-        ProblemError::Wrong {
-            path: self.path.clone(),
-            key: key.to_owned(),
+        ProblemFault::Wrong {
             expected: expected.to_owned(),
             found: found.into(),
         }
+        .at(&self.path, key)
     }
 
     fn has(&self, name: &str) -> bool {
@@ -67,11 +65,12 @@ impl Reader {
 
     fn array(&mut self, name: &str) -> Result<Found, ProblemError> {
         let path = self.path.clone();
-        let refuse = |found: String| ProblemError::Wrong {
-            path: path.clone(),
-            key: name.to_owned(),
-            expected: "an array of numbers or words".to_owned(),
-            found,
+        let refuse = |found: String| {
+            ProblemFault::Wrong {
+                expected: "an array of numbers or words".to_owned(),
+                found,
+            }
+            .at(&path, name)
         };
         let file = self
             .archive
@@ -117,11 +116,10 @@ impl Reader {
         } else if self.has(&part("row")) {
             "coo".to_owned()
         } else {
-            return Err(ProblemError::Missing {
-                path: self.path.clone(),
-                key: part("format"),
+            return Err(ProblemFault::Missing {
                 meaning: "`csr`, `csc` or `coo`",
-            });
+            }
+            .at(&self.path, part("format")));
         };
         let mut sparse = Sparse {
             shape: (rows, columns),

@@ -5,7 +5,7 @@ use std::io::Write;
 use tresca_fem::mesh::Mesh;
 
 use super::names;
-use crate::WriteError;
+use crate::error::WriteError;
 use crate::vtu::{Fact, Field, Grid, Values};
 
 /// The result of one body, on its nodes.

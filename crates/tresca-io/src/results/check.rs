@@ -5,7 +5,7 @@ use std::io::Write;
 use tresca_fem::mesh::Mesh;
 
 use super::names;
-use crate::WriteError;
+use crate::error::WriteError;
 use crate::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 
 /// What holds a body and what pulls at it, on its nodes.

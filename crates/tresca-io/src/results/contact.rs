@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::names;
-use crate::WriteError;
+use crate::error::WriteError;
 use crate::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 
 /// What a contact point does, in one word; written as the field `status`.

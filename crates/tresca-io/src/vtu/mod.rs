@@ -26,7 +26,7 @@ use std::io::Write;
 
 use tresca_fem::mesh::{CellKind, Mesh};
 
-use crate::WriteError;
+use crate::error::WriteError;
 use crate::xml::escape;
 use encode::{Appended, Data};
 

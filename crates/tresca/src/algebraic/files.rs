@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use tresca_contact::FrictionLaw;
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
-use tresca_io::problem::{self, Content, Dense, ProblemError, Sparse};
+use tresca_io::problem::{self, Content, Dense, ProblemError, ProblemFault, Sparse};
 
 use tresca_system::matrices::{
     AlgebraicError, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem,
@@ -197,12 +197,7 @@ fn sparse(matrix: &Matrix) -> Sparse {
 }
 
 fn wrong(path: &Path, key: &str, expected: String, found: String) -> FileError {
-    FileError::File(ProblemError::Wrong {
-        path: path.to_owned(),
-        key: key.to_owned(),
-        expected,
-        found,
-    })
+    FileError::File(ProblemFault::Wrong { expected, found }.at(path, key))
 }
 
 /// The columns of a matrix; a vector is one.
@@ -266,11 +261,12 @@ fn friction(
     let inferred = || {
         let word = match (&content.bounds, &content.coefficients) {
             (Some(_), Some(_)) => {
-                return Err(FileError::File(ProblemError::Missing {
-                    path: path.to_owned(),
-                    key: "law".to_owned(),
-                    meaning: "there are both `bounds` and `coefficients`",
-                }));
+                return Err(FileError::File(
+                    ProblemFault::Missing {
+                        meaning: "there are both `bounds` and `coefficients`",
+                    }
+                    .at(path, "law"),
+                ));
             }
             (Some(bounds), None) if bounds.shape.len() == 2 && bounds.shape[1] == 2 => {
                 "orthotropic"
@@ -278,11 +274,12 @@ fn friction(
             (Some(_), None) => "tresca",
             (None, Some(_)) => "coulomb",
             (None, None) if has_tangents => {
-                return Err(FileError::File(ProblemError::Missing {
-                    path: path.to_owned(),
-                    key: "law".to_owned(),
-                    meaning: "there is T, but no `law`, no `bounds` and no `coefficients`",
-                }));
+                return Err(FileError::File(
+                    ProblemFault::Missing {
+                        meaning: "there is T, but no `law`, no `bounds` and no `coefficients`",
+                    }
+                    .at(path, "law"),
+                ));
             }
             (None, None) => "frictionless",
         };
@@ -308,11 +305,12 @@ fn friction(
                 .as_ref()
                 .map(|figures| figures[pair])
                 .ok_or_else(|| {
-                    FileError::File(ProblemError::Missing {
-                        path: path.to_owned(),
-                        key: key.to_owned(),
-                        meaning: "the friction law needs it",
-                    })
+                    FileError::File(
+                        ProblemFault::Missing {
+                            meaning: "the friction law needs it",
+                        }
+                        .at(path, key),
+                    )
                 })
         };
         Ok(match word {

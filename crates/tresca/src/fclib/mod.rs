@@ -45,6 +45,6 @@ pub use reduced::MatrixFacts;
 pub use residual::Residuals;
 pub use solve::{Outcome, solve};
 pub use tresca_io::fclib::{
-    Defect, Document, FclibError, GlobalProblem, Info, LocalProblem, Matrix, Place, Problem, State,
-    read,
+    Defect, Document, FclibError, FclibFault, GlobalProblem, Info, LocalProblem, Matrix, Problem,
+    State, read,
 };

@@ -28,10 +28,10 @@ pub struct ContactReport {
     /// Largest contact pressure; of cases.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_pressure: Option<f64>,
-    /// Largest component, in the pair's frame, of the slip; of cases and matrices.
+    /// Largest component, in the pair's frame, of the slip.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_slip_component: Option<f64>,
-    /// Largest gap left; of cases and matrices.
+    /// Largest gap left.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_gap: Option<f64>,
     /// Work that friction dissipates in the step; of cases.

@@ -45,10 +45,13 @@ fn module_of(src: &Path, file: &Path) -> Vec<String> {
 
 /// The code without comments, documentation and the module of unit tests, which stands last in a file.
 fn code(source: &str) -> String {
-    let tests = ["
+    let tests = [
+        "
 #[cfg(test)]
-mod ", "
-#[cfg(all(test"];
+mod ",
+        "
+#[cfg(all(test",
+    ];
     let ends = tests.iter().filter_map(|begin| source.find(begin));
     let end = ends.min().unwrap_or(source.len());
     let lines = source[..end]
@@ -72,7 +75,8 @@ fn paths(own: &[String], source: &str, modules: &Modules) -> Vec<Vec<String>> {
             modules.contains_key(&path)
         };
         let next = words.get(at + 1).map(String::as_str);
-        if begins && next == Some("::") && (["crate", "super", "self"].contains(&word) || is_child) {
+        if begins && next == Some("::") && (["crate", "super", "self"].contains(&word) || is_child)
+        {
             let base = match word {
                 "crate" => Vec::new(),
                 "super" => own[..own.len().saturating_sub(1)].to_vec(),
@@ -186,8 +190,10 @@ fn circles(modules: &Modules) -> Vec<String> {
         }
         seen
     };
-    let reached: BTreeMap<&Vec<String>, BTreeSet<Vec<String>>> =
-        modules.keys().map(|module| (module, reach(module))).collect();
+    let reached: BTreeMap<&Vec<String>, BTreeSet<Vec<String>>> = modules
+        .keys()
+        .map(|module| (module, reach(module)))
+        .collect();
     let mut found = BTreeSet::new();
     for (module, all) in &reached {
         if all.contains(*module) {
@@ -215,7 +221,10 @@ fn no_files_import_each_other_in_a_circle() {
         if src.is_dir() {
             let crate_name = src.parent().unwrap().file_name().unwrap().to_owned();
             let own = circles(&read_crate(&src));
-            found.extend(own.into_iter().map(|circle| format!("{crate_name:?}: {circle}")));
+            found.extend(
+                own.into_iter()
+                    .map(|circle| format!("{crate_name:?}: {circle}")),
+            );
         }
     }
     assert!(found.is_empty(), "circles of files:\n{}", found.join("\n"));

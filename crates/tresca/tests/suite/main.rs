@@ -6,6 +6,7 @@ mod algebraic;
 mod architecture;
 mod case_and_model;
 mod check_values;
+mod circles;
 mod fclib;
 mod invariance;
 mod stopping;

@@ -9,8 +9,9 @@
 
 use super::super::error::Trouble;
 use super::super::matrix::check_pointers;
-use super::super::{Defect, Matrix};
 use super::tokens::{Tokens, count};
+use crate::fclib::error::Defect;
+use crate::fclib::matrix::Matrix;
 
 /// Takes a matrix.
 pub fn read(tokens: &mut Tokens) -> Result<Matrix, Trouble> {

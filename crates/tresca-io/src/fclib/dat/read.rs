@@ -2,9 +2,10 @@
 
 use super::super::error::Trouble;
 use super::super::problem::{Document, GlobalProblem, LocalProblem, Problem, dimension};
-use super::super::{Defect, Matrix};
 use super::matrix;
 use super::tokens::{Tokens, count};
+use crate::fclib::error::Defect;
+use crate::fclib::matrix::Matrix;
 
 /// A problem from its text.
 pub fn read(text: &str) -> Result<Document, Trouble> {

@@ -1,7 +1,7 @@
 //! Words of a text, each with its line.
 
-use super::super::Defect;
 use super::super::error::Trouble;
+use crate::fclib::error::Defect;
 
 /// The words of a text, from the first to the last.
 pub struct Tokens<'a> {

@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use super::super::Matrix;
 use super::super::problem::{Document, Problem};
-use crate::WriteError;
+use crate::error::WriteError;
+use crate::fclib::matrix::Matrix;
 
 /// The word in the version line of a sparse matrix; readers skip that line.
 const WRITER: &str = "CSparse triplets, written by tresca";

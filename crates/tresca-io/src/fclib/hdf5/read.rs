@@ -7,7 +7,8 @@ use super::super::matrix::check_pointers;
 use super::super::problem::{
     Document, GlobalProblem, Info, LocalProblem, Problem, State, dimension,
 };
-use super::super::{Defect, Matrix};
+use crate::fclib::error::Defect;
+use crate::fclib::matrix::Matrix;
 
 /// A problem and what comes with it, from the bytes of the file.
 pub fn read(bytes: Vec<u8>) -> Result<Document, Trouble> {

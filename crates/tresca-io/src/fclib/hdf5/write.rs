@@ -4,9 +4,9 @@ use std::io::Write;
 
 use hdf5_pure::{FileBuilder, GroupBuilder, LibVer};
 
-use super::super::Matrix;
 use super::super::problem::{Document, Info, Problem, State};
-use crate::WriteError;
+use crate::error::WriteError;
+use crate::fclib::matrix::Matrix;
 
 impl Document {
     /// Writes the document in the layout of FCLIB, in the format of HDF5 1.8, matrices by compressed

@@ -1,6 +1,6 @@
 //! Parts, instances and the assembly: which keywords belong together.
 
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::super::file::{MeshFile, note_skipped};
 use super::super::placement::{Placement, Rotation};
 use super::deck::{Deck, Keyword, same_name};
@@ -50,12 +50,12 @@ pub(super) fn read(deck: &Deck<'_>) -> Result<MeshFile, MeshFileError> {
         let found = scopes.parts.iter().find(|(name, _)| same_name(name, part));
         let Some((_, keywords)) = found else {
             let known: Vec<&str> = scopes.parts.iter().map(|(name, _)| *name).collect();
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 instance.head.place(instance.head.line),
                 "the name of a part",
                 format!("`{part}`"),
             )
-            .because(format!("the parts are {}", listed(&known))));
+            .with_help(format!("the parts are {}", listed(&known))));
         };
         let keywords = [keywords.as_slice(), &instance.own].concat();
         add(
@@ -131,11 +131,11 @@ fn sort<'d, 'a>(deck: &'d Deck<'a>) -> Result<Scopes<'d, 'a>, MeshFileError> {
                 break;
             }
             "INCLUDE" => {
-                return Err(MeshFileError::Unsupported {
-                    place: keyword.place(keyword.line),
+                return Err(MeshFault::Unsupported {
                     what: "the keyword `*INCLUDE`".to_owned(),
-                    help: "put the text of the included file in its place".to_owned(),
-                });
+                }
+                .at(keyword.place(keyword.line))
+                .with_help("put the text of the included file in its place"));
             }
             name if READ.contains(&name) => {
                 refuse_cylindrical(keyword)?;
@@ -146,12 +146,13 @@ fn sort<'d, 'a>(deck: &'d Deck<'a>) -> Result<Scopes<'d, 'a>, MeshFileError> {
                 }
             }
             name if GENERATORS.contains(&name) => {
-                return Err(MeshFileError::Unsupported {
-                    place: keyword.place(keyword.line),
+                return Err(MeshFault::Unsupported {
                     what: format!("the keyword `*{name}`"),
-                    help: "write the deck with all nodes and elements spelled out, as pre-processors do"
-                        .to_owned(),
-                });
+                }
+                .at(keyword.place(keyword.line))
+                .with_help(
+                    "write the deck with all nodes and elements spelled out, as pre-processors do",
+                ));
             }
             name => note_skipped(&mut scopes.skipped, format!("*{name}")),
         }
@@ -167,11 +168,11 @@ fn refuse_cylindrical(keyword: &Keyword<'_>) -> Result<(), MeshFileError> {
         .as_deref()
     {
         None | Some("R" | "") => Ok(()),
-        Some(system) => Err(MeshFileError::Unsupported {
-            place: keyword.place(keyword.line),
+        Some(system) => Err(MeshFault::Unsupported {
             what: format!("`SYSTEM={system}`"),
-            help: "write the nodes in rectangular coordinates".to_owned(),
-        }),
+        }
+        .at(keyword.place(keyword.line))
+        .with_help("write the nodes in rectangular coordinates")),
     }
 }
 
@@ -189,7 +190,7 @@ fn placement(head: &Keyword<'_>) -> Result<Placement, MeshFileError> {
             .map(|numbers| (line, numbers))
     });
     let wrong = |line, expected: &str, found: usize| {
-        MeshFileError::syntax(head.place(line), expected, format!("{found} numbers"))
+        MeshFault::syntax(head.place(line), expected, format!("{found} numbers"))
     };
     let mut shift = [0.0; 3];
     if let Some((line, numbers)) = lines.next().transpose()? {
@@ -213,7 +214,7 @@ fn placement(head: &Keyword<'_>) -> Result<Placement, MeshFileError> {
     };
     let axis = [bx - ax, by - ay, bz - az];
     if axis == [0.0; 3] {
-        return Err(MeshFileError::syntax(
+        return Err(MeshFault::syntax(
             head.place(line),
             "two different points of an axis",
             "one point twice",

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::error::{MeshFileError, Place, Position};
+use super::super::error::{MeshFault, MeshFileError};
+use crate::located::{Place, Position};
 
 /// A deck, cut into keywords.
 #[derive(Debug)]
@@ -100,7 +101,7 @@ impl<'a> Keyword<'a> {
         self.parameter(key)
             .filter(|v| !v.is_empty())
             .ok_or_else(|| {
-                MeshFileError::syntax(
+                MeshFault::syntax(
                     self.place(self.line),
                     format!("the parameter `{key}=…` of `*{}`", self.name),
                     "none",
@@ -130,7 +131,7 @@ impl<'a> Keyword<'a> {
     pub fn number(&self, line: usize, entry: &str, what: &str) -> Result<u64, MeshFileError> {
         entry
             .parse()
-            .map_err(|_| MeshFileError::syntax(self.place(line), what, format!("`{entry}`")))
+            .map_err(|_| MeshFault::syntax(self.place(line), what, format!("`{entry}`")))
     }
 
     /// A real number; Fortran's exponents with D are understood.
@@ -138,7 +139,7 @@ impl<'a> Keyword<'a> {
         let parsed = entry
             .parse()
             .or_else(|_| entry.replace(['d', 'D'], "e").parse());
-        parsed.map_err(|_| MeshFileError::syntax(self.place(line), what, format!("`{entry}`")))
+        parsed.map_err(|_| MeshFault::syntax(self.place(line), what, format!("`{entry}`")))
     }
 }
 

@@ -14,8 +14,8 @@ mod surfaces;
 
 use std::path::Path;
 
-use super::MeshFileError;
 use super::file::MeshFile;
+use crate::mesh::error::MeshFileError;
 use deck::Deck;
 
 /// Reads a file that begins with `*`.

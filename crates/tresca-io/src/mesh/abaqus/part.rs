@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::super::cells::FileCells;
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::super::file::{Group, Groups};
 use super::super::numbering::Numbering;
 use super::super::order::{from_abaqus, reorder};
@@ -138,11 +138,11 @@ impl Model {
                 }
             }
             if !point.iter().all(|x| x.is_finite()) {
-                return Err(MeshFileError::NotFinite {
-                    place: keyword.place(line),
+                return Err(MeshFault::NotFinite {
                     node: number,
                     point,
-                });
+                }
+                .at(keyword.place(line)));
             }
             self.points.push(placement.apply(point));
             self.point_numbers.push(number);
@@ -161,16 +161,16 @@ impl Model {
             let number = keyword.number(line, entry, "the number of an element")?;
             let place = || keyword.place(line);
             let Some(kind) = kind(name) else {
-                return Err(MeshFileError::ElementType {
-                    place: place(),
+                return Err(MeshFault::ElementType {
                     element: number,
                     name: name.to_owned(),
-                });
+                }
+                .at(place()));
             };
             nodes.clear();
             for _ in 0..kind.node_count() {
                 let Some((line, entry)) = entries.next() else {
-                    return Err(MeshFileError::syntax(
+                    return Err(MeshFault::syntax(
                         place(),
                         format!("{} nodes of element {number} ({name})", kind.node_count()),
                         nodes.len().to_string(),
@@ -178,11 +178,11 @@ impl Model {
                 };
                 let node = keyword.number(line, entry, "a node of an element")?;
                 let Some(index) = space.node(node) else {
-                    return Err(MeshFileError::UnknownNode {
-                        place: keyword.place(line),
+                    return Err(MeshFault::UnknownNode {
                         element: number,
                         node,
-                    });
+                    }
+                    .at(keyword.place(line)));
                 };
                 nodes.push(index);
             }
@@ -211,11 +211,7 @@ fn numbering(
             .rfind(|(_, _, text)| starts(text))
             .map(|(keyword, line, _)| keyword.place(line));
         match place.or_else(|| keywords.first().map(|k| k.place(k.line))) {
-            Some(place) => MeshFileError::DuplicateNumber {
-                place,
-                what,
-                number,
-            },
+            Some(place) => MeshFault::DuplicateNumber { what, number }.at(place),
             None => unreachable!("numbers come from keywords"),
         }
     })

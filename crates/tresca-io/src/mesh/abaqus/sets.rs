@@ -1,6 +1,6 @@
 //! Sets of nodes and elements.
 
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::deck::{Keyword, same_name, unquoted};
 use super::part::{Model, Space};
 use crate::names::{listed, nearest};
@@ -119,7 +119,7 @@ impl Model {
                 [first, last] => (first, last, 1),
                 [first, last, increment] if increment > 0 => (first, last, increment),
                 _ => {
-                    return Err(MeshFileError::syntax(
+                    return Err(MeshFault::syntax(
                         keyword.place(line),
                         "first, last and increment (1 or more)",
                         format!("`{text}`"),
@@ -159,7 +159,7 @@ impl Model {
         if let Ok(number) = entry.parse::<u64>() {
             return match sort.find(of, number) {
                 Some(member) => Ok(vec![member]),
-                None => Err(MeshFileError::syntax(
+                None => Err(MeshFault::syntax(
                     keyword.place(line),
                     format!("the number of a {word}"),
                     format!("{number}, which no {word} has"),
@@ -173,14 +173,14 @@ impl Model {
         }
         let mut known: Vec<&str> = sets.keys().map(String::as_str).collect();
         known.sort_unstable();
-        let error = MeshFileError::syntax(
+        let error = MeshFault::syntax(
             keyword.place(line),
             format!("a number or the name of a set of {word}s"),
             format!("`{name}`, which is not the name of such a set"),
         );
         Err(match nearest(&name.to_uppercase(), known.iter().copied()) {
-            Some(near) => error.because(format!("did you mean `{near}`?")),
-            None => error.because(format!("the sets of {word}s so far are {}", listed(&known))),
+            Some(near) => error.with_help(format!("did you mean `{near}`?")),
+            None => error.with_help(format!("the sets of {word}s so far are {}", listed(&known))),
         })
     }
 
@@ -198,12 +198,12 @@ impl Model {
     ) -> Result<usize, MeshFileError> {
         self.find_instance(name).ok_or_else(|| {
             let known: Vec<&str> = self.spaces.iter().map(|s| s.name.as_str()).collect();
-            MeshFileError::syntax(
+            MeshFault::syntax(
                 keyword.place(line),
                 "the name of an instance",
                 format!("`{name}`"),
             )
-            .because(format!("the instances are {}", listed(&known)))
+            .with_help(format!("the instances are {}", listed(&known)))
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Surfaces made of sides of elements, of shell-like elements, or of nodes.
 
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::super::faces::FaceMap;
 use super::super::file::note_skipped;
 use super::deck::Keyword;
@@ -81,7 +81,7 @@ impl Model {
         let kind = self.cells.kind(cell);
         let number = side.strip_prefix('S').and_then(|n| n.parse().ok());
         let Some(local) = number.and_then(|number| local_face(kind, number)) else {
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 keyword.place(line),
                 format!("a side of a {kind}, S1 to S{}", faces(kind).len()),
                 format!("`{side}`"),

@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use tresca_fem::mesh::{CellKind, Face, FaceLookup, Mesh};
 
-use super::super::error::MeshFileError;
+use super::super::error::{MeshFault, MeshFileError};
 use super::super::faces::{FaceMap, side};
 use super::super::file::{Group, MeshFile};
 use super::members::Members;
@@ -60,10 +60,12 @@ impl<'a> Finder<'a> {
         let Some(mut nodes) = nodes else {
             return Ok(None);
         };
-        let missing = || MeshFileError::MissingFace {
-            path: self.file.path.clone(),
-            group: group.name.clone(),
-            element: self.file.element(element),
+        let missing = || {
+            MeshFault::MissingFace {
+                group: group.name.clone(),
+                element: self.file.element(element),
+            }
+            .at(self.file.path.clone())
         };
         match self.of_body.sides(&nodes[..kind.corner_count()]) {
             &[face] => {
@@ -77,15 +79,15 @@ impl<'a> Finder<'a> {
                     Err(missing())
                 }
             }
-            [first, second, ..] => Err(MeshFileError::InteriorFace {
-                path: self.file.path.clone(),
+            [first, second, ..] => Err(MeshFault::InteriorFace {
                 group: group.name.clone(),
                 element: self.file.element(element),
                 sides: [first, second].map(|face| {
                     let cell = self.members.cells[face.cell];
                     self.file.element(cell)
                 }),
-            }),
+            }
+            .at(self.file.path.clone())),
             // A body that touches this one along the nodes of the element may have the face.
             [] => {
                 let map = || FaceMap::new(&self.file.cells, group.dimension + 1);

@@ -6,7 +6,7 @@ use tresca_fem::mesh::{CellBlock, Space};
 
 use super::super::file::MeshFile;
 use super::super::order::{reorder, turned_over};
-use super::Note;
+use super::note::Note;
 
 /// What of a file belongs to a body.
 #[derive(Debug)]

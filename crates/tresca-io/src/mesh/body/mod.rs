@@ -2,19 +2,20 @@
 
 mod finder;
 mod members;
+pub(crate) mod note;
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use tresca_fem::FemError;
 use tresca_fem::mesh::{Mesh, Space};
 
-use super::error::MeshFileError;
+use super::error::{MeshFault, MeshFileError};
 use super::faces::side;
 use super::file::MeshFile;
 use super::placement::Placement;
 use finder::Finder;
 use members::Members;
+use note::Note;
 
 /// Nodes nearer than this part of a body's size count as one place.
 const SAME_PLACE: f64 = 1e-9;
@@ -38,53 +39,16 @@ pub struct BodyMesh {
     pub nodes: Vec<usize>,
 }
 
-/// Something about a mesh that its user should know.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Note {
-    /// Two nodes of one body at one place: it falls apart there.
-    DuplicateNodes {
-        /// How many pairs.
-        pairs: usize,
-        /// The numbers of the first pair in the file.
-        first: [u64; 2],
-        /// Their place, after placement (length).
-        at: [f64; 3],
-    },
-    /// Plane elements that ran clockwise were turned over.
-    Clockwise {
-        /// How many.
-        cells: usize,
-    },
-}
-
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Note::DuplicateNodes { pairs, first, at } => write!(
-                f,
-                "{pairs} pairs of nodes lie on one another inside of the body, such as {} and {} at {at:?}: it is not \
-                 connected there. If it should be, merge the parts before meshing (Gmsh: `Coherence;` or \
-                 `BooleanFragments`, afterwards `Coherence Mesh;`)",
-                first[0], first[1]
-            ),
-            Note::Clockwise { cells } => write!(
-                f,
-                "{cells} elements of plane surfaces that run clockwise were turned over"
-            ),
-        }
-    }
-}
-
 impl MeshFile {
     /// The mesh of a body: the cells of the volume group `part` (in the plane: of the surface
     /// group), all cells of the dimension of the space without one.
     ///
     /// # Errors
-    /// Whatever keeps the cells from being a body: [`MeshFileError::NoCells`],
-    /// [`MeshFileError::NotPlane`], [`MeshFileError::UnknownGroup`],
-    /// [`MeshFileError::GroupDimension`], [`MeshFileError::OffPlane`],
-    /// [`MeshFileError::NegativeRadius`], [`MeshFileError::Inverted`],
-    /// [`MeshFileError::Folded`], [`MeshFileError::Degenerate`], [`MeshFileError::Refused`]. What is wrong with a surface group
+    /// Whatever keeps the cells from being a body: [`MeshFault::NoCells`],
+    /// [`MeshFault::NotPlane`], [`MeshFault::UnknownGroup`],
+    /// [`MeshFault::GroupDimension`], [`MeshFault::OffPlane`],
+    /// [`MeshFault::NegativeRadius`], [`MeshFault::Inverted`],
+    /// [`MeshFault::Folded`], [`MeshFault::Degenerate`], [`MeshFault::Refused`]. What is wrong with a surface group
     /// is kept in [`BodyMesh::unusable`], for whoever wants to use it.
     pub fn body(
         &self,
@@ -98,7 +62,7 @@ impl MeshFile {
         let blocks = members.blocks(self, space, &points, &mut notes);
         let mut mesh = Mesh::new(space, points, blocks, BTreeMap::new()).map_err(|source| {
             let path = self.path.clone();
-            MeshFileError::Refused { path, source }
+            MeshFault::Refused { source }.at(path)
         })?;
         self.check_shapes(&mesh, &members)?;
         let mut unusable = BTreeMap::new();
@@ -118,18 +82,15 @@ impl MeshFile {
         let dimension = space.dimension();
         let count = |dimension| self.cells.of_dimension(dimension).count();
         if dimension == 2 && count(3) > 0 {
-            return Err(MeshFileError::NotPlane {
-                path: self.path.clone(),
-                space,
-            });
+            return Err(MeshFault::NotPlane { space }.at(self.path.clone()));
         }
         let all: Vec<usize> = self.cells.of_dimension(dimension).collect();
         if all.is_empty() {
-            return Err(MeshFileError::NoCells {
-                path: self.path.clone(),
+            return Err(MeshFault::NoCells {
                 dimension,
                 found: [count(1), count(2), count(3)],
-            });
+            }
+            .at(self.path.clone()));
         }
         match part {
             Some(name) => Ok(self.group(name, dimension)?.cells.clone()),
@@ -157,11 +118,11 @@ impl MeshFile {
         }
         for (point, &node) in points.iter_mut().zip(nodes) {
             if point[0] < -small {
-                return Err(MeshFileError::NegativeRadius {
-                    path: self.path.clone(),
+                return Err(MeshFault::NegativeRadius {
                     node: self.point_numbers[node],
                     radius: point[0],
-                });
+                }
+                .at(self.path.clone()));
             }
             if point[0].abs() <= small {
                 point[0] = 0.0;
@@ -182,29 +143,17 @@ impl MeshFile {
         Err(match source {
             FemError::InvertedCell { cell, .. } => {
                 let (element, centre) = names(cell);
-                MeshFileError::Inverted {
-                    path,
-                    element,
-                    centre,
-                }
+                MeshFault::Inverted { element, centre }.at(path)
             }
             FemError::FoldedCell { cell, .. } => {
                 let (element, centre) = names(cell);
-                MeshFileError::Folded {
-                    path,
-                    element,
-                    centre,
-                }
+                MeshFault::Folded { element, centre }.at(path)
             }
             FemError::DegenerateCell { cell, .. } => {
                 let (element, centre) = names(cell);
-                MeshFileError::Degenerate {
-                    path,
-                    element,
-                    centre,
-                }
+                MeshFault::Degenerate { element, centre }.at(path)
             }
-            source => MeshFileError::Refused { path, source },
+            source => MeshFault::Refused { source }.at(path),
         })
     }
 

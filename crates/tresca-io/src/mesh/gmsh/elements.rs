@@ -4,14 +4,19 @@ use std::path::{Path, PathBuf};
 
 use tresca_fem::mesh::CellKind;
 
+use std::collections::HashMap;
+
 use super::super::cells::FileCells;
-use super::super::error::{MeshFileError, Place};
+use super::super::error::{MeshFault, MeshFileError};
 use super::super::file::{Groups, MeshFile};
 use super::super::numbering::Numbering;
 use super::super::order::{from_gmsh, reorder};
-use super::Names;
 use super::input::Input;
 use super::kinds::{Kind, kind};
+use crate::located::Place;
+
+/// Names of physical groups, by dimension and number.
+pub(super) type Names = HashMap<(usize, i32), String>;
 
 /// What was read so far.
 #[derive(Debug)]
@@ -63,11 +68,11 @@ impl Draft {
         point: [f64; 3],
     ) -> Result<(), MeshFileError> {
         if !point.iter().all(|x| x.is_finite()) {
-            return Err(MeshFileError::NotFinite {
-                place: place(),
+            return Err(MeshFault::NotFinite {
                 node: number,
                 point,
-            });
+            }
+            .at(place()));
         }
         self.points.push(point);
         self.point_numbers.push(number);
@@ -76,12 +81,13 @@ impl Draft {
 
     /// All nodes are there.
     pub fn end_nodes(&mut self, place: Place) -> Result<(), MeshFileError> {
-        let numbering =
-            Numbering::new(&self.point_numbers).map_err(|i| MeshFileError::DuplicateNumber {
-                place,
+        let numbering = Numbering::new(&self.point_numbers).map_err(|i| {
+            MeshFault::DuplicateNumber {
                 what: "node",
                 number: self.point_numbers[i],
-            })?;
+            }
+            .at(place)
+        })?;
         self.numbering = Some(numbering);
         Ok(())
     }
@@ -95,7 +101,7 @@ impl Draft {
         read: impl Fn(&mut Input<'_>) -> Result<u64, MeshFileError>,
     ) -> Result<(), MeshFileError> {
         let Some(numbering) = &self.numbering else {
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 input.place(),
                 "the section `$Nodes` ahead of the elements",
                 "none",
@@ -106,22 +112,22 @@ impl Draft {
             Kind::Point => (1, None),
             Kind::Cell(kind) => (kind.node_count(), Some(kind)),
             Kind::Unsupported(name) => {
-                return Err(MeshFileError::ElementType {
-                    place: input.place_of(mark),
+                return Err(MeshFault::ElementType {
                     element: number,
                     name: format!("{element_type} ({name})"),
-                });
+                }
+                .at(input.place_of(mark)));
             }
         };
         self.nodes.clear();
         for _ in 0..count {
             let node = read(input)?;
             let Some(index) = numbering.find(node) else {
-                return Err(MeshFileError::UnknownNode {
-                    place: input.place_of(mark),
+                return Err(MeshFault::UnknownNode {
                     element: number,
                     node,
-                });
+                }
+                .at(input.place_of(mark)));
             };
             self.nodes.push(index);
         }
@@ -171,10 +177,10 @@ impl Draft {
 
     pub fn finish(self, input: &Input<'_>) -> Result<MeshFile, MeshFileError> {
         if self.numbering.is_none() {
-            return Err(MeshFileError::Truncated {
-                place: input.place(),
+            return Err(MeshFault::Truncated {
                 expected: "the section `$Nodes`".to_owned(),
-            });
+            }
+            .at(input.place()));
         }
         Ok(MeshFile {
             path: self.path,

@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::str::FromStr;
 
-use super::super::error::{MeshFileError, Place, Position};
+use super::super::error::{MeshFault, MeshFileError};
+use crate::located::{Place, Position};
 
 /// How the numbers of a file are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,10 +82,10 @@ impl<'a> Input<'a> {
     }
 
     fn truncated(&self, expected: &str) -> MeshFileError {
-        MeshFileError::Truncated {
-            place: self.place_of(self.bytes.len()),
+        MeshFault::Truncated {
             expected: expected.to_owned(),
         }
+        .at(self.place_of(self.bytes.len()))
     }
 
     /// The name of the section that begins here; `None` at the end of the file.
@@ -97,7 +98,7 @@ impl<'a> Input<'a> {
         let line = self.line();
         match std::str::from_utf8(line) {
             Ok(name) if name.starts_with('$') => Ok(Some(name.trim_end())),
-            _ => Err(MeshFileError::syntax(
+            _ => Err(MeshFault::syntax(
                 self.place_of(start),
                 "the beginning of a section, `$…`",
                 excerpt(line),
@@ -127,7 +128,7 @@ impl<'a> Input<'a> {
             return Ok(());
         }
         Err(
-            MeshFileError::syntax(self.place_of(start), expected, excerpt(line)).because(format!(
+            MeshFault::syntax(self.place_of(start), expected, excerpt(line)).with_help(format!(
                 "the section `{name}` holds more than the counts in it say"
             )),
         )
@@ -161,7 +162,7 @@ impl<'a> Input<'a> {
         let start = self.at;
         self.at += word.len();
         std::str::from_utf8(word)
-            .map_err(|_| MeshFileError::syntax(self.place_of(start), expected, excerpt(word)))
+            .map_err(|_| MeshFault::syntax(self.place_of(start), expected, excerpt(word)))
     }
 
     /// The next number of text, also in a binary file.
@@ -169,9 +170,9 @@ impl<'a> Input<'a> {
         let word = self.word(expected)?;
         word.parse().map_err(|_| {
             let place = self.place_of(self.at - word.len());
-            let error = MeshFileError::syntax(place, expected, format!("`{word}`"));
+            let error = MeshFault::syntax(place, expected, format!("`{word}`"));
             match word.starts_with('$') {
-                true => error.because("the section holds less than the counts in it say"),
+                true => error.with_help("the section holds less than the counts in it say"),
                 false => error,
             }
         })
@@ -191,7 +192,7 @@ impl<'a> Input<'a> {
             .strip_prefix('"')
             .and_then(|t| t.strip_suffix('"'));
         inner.map(str::to_owned).ok_or_else(|| {
-            MeshFileError::syntax(
+            MeshFault::syntax(
                 self.place_of(start),
                 format!("{expected} in quotes"),
                 excerpt(line),
@@ -207,12 +208,12 @@ impl<'a> Input<'a> {
             [1, 0, 0, 0] => true,
             [0, 0, 0, 1] => false,
             other => {
-                return Err(MeshFileError::syntax(
+                return Err(MeshFault::syntax(
                     self.place_of(start),
                     "the number 1 in binary",
                     format!("the bytes {other:?}"),
                 )
-                .because("the file was changed on its way, for example by a transfer as text"));
+                .with_help("the file was changed on its way, for example by a transfer as text"));
             }
         };
         self.encoding = Encoding::Binary {
@@ -279,7 +280,7 @@ impl<'a> Input<'a> {
         let start = self.at;
         let number = self.int(expected)?;
         u64::try_from(number)
-            .map_err(|_| MeshFileError::syntax(self.place_of(start), expected, number.to_string()))
+            .map_err(|_| MeshFault::syntax(self.place_of(start), expected, number.to_string()))
     }
 
     /// A real number.

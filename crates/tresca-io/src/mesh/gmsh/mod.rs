@@ -10,16 +10,12 @@ mod kinds;
 mod v2;
 mod v4;
 
-use std::collections::HashMap;
 use std::path::Path;
 
-use super::MeshFileError;
 use super::file::{MeshFile, note_skipped};
-use elements::Draft;
+use crate::mesh::error::{MeshFault, MeshFileError};
+use elements::{Draft, Names};
 use input::{Encoding, Input};
-
-/// Names of physical groups, by dimension and number.
-type Names = HashMap<(usize, i32), String>;
 
 /// Versions of the format that differ for a reader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,19 +42,18 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<MeshFile, MeshFileError
                 v4::elements(&mut input, &mut draft, &entities, &names)?;
             }
             ("$PartitionedEntities", _) => {
-                return Err(MeshFileError::Unsupported {
-                    place: input.place(),
+                return Err(MeshFault::Unsupported {
                     what: "a mesh in partitions".to_owned(),
-                    help: "save it in one piece: without `-part`, or behind `UnpartitionMesh;`"
-                        .to_owned(),
-                });
+                }
+                .at(input.place())
+                .with_help("save it in one piece: without `-part`, or behind `UnpartitionMesh;`"));
             }
             ("$ParametricNodes", _) => {
-                return Err(MeshFileError::Unsupported {
-                    place: input.place(),
+                return Err(MeshFault::Unsupported {
                     what: "a mesh with parametric nodes in version 2".to_owned(),
-                    help: "save it with `Mesh.SaveParametric = 0`, or as version 4.1".to_owned(),
-                });
+                }
+                .at(input.place())
+                .with_help("save it with `Mesh.SaveParametric = 0`, or as version 4.1"));
             }
             (other, _) => {
                 note_skipped(&mut draft.skipped, other);
@@ -78,12 +73,9 @@ fn header(input: &mut Input<'_>) -> Result<(Version, String), MeshFileError> {
         let found = match first {
             // Version 1 has no header.
             "$NOD" => "1".to_owned(),
-            _ => return Err(MeshFileError::syntax(input.place(), "`$MeshFormat`", first)),
+            _ => return Err(MeshFault::syntax(input.place(), "`$MeshFormat`", first)),
         };
-        return Err(MeshFileError::Version {
-            place: input.place(),
-            found,
-        });
+        return Err(MeshFault::Version { found }.at(input.place()));
     }
     let place = input.place();
     let text = input.word("the version of the format")?;
@@ -91,10 +83,10 @@ fn header(input: &mut Input<'_>) -> Result<(Version, String), MeshFileError> {
         ("2", "0" | "1" | "2") => Version::Two,
         ("4", "1") => Version::Four,
         _ => {
-            return Err(MeshFileError::Version {
-                place,
+            return Err(MeshFault::Version {
                 found: text.to_owned(),
-            });
+            }
+            .at(place));
         }
     };
     let place = input.place();
@@ -102,7 +94,7 @@ fn header(input: &mut Input<'_>) -> Result<(Version, String), MeshFileError> {
         "0" => false,
         "1" => true,
         other => {
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 place,
                 "0 for text or 1 for binary",
                 other,
@@ -114,7 +106,7 @@ fn header(input: &mut Input<'_>) -> Result<(Version, String), MeshFileError> {
         "8" => 8,
         "4" if version == Version::Four => 4,
         other => {
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 place,
                 "8, the width of a number in bytes",
                 other,

@@ -1,8 +1,7 @@
 //! Sections of version 2.2.
 
-use super::super::error::MeshFileError;
-use super::Names;
-use super::elements::{Draft, Membership};
+use super::super::error::{MeshFault, MeshFileError};
+use super::elements::{Draft, Membership, Names};
 use super::input::{Encoding, Input};
 
 /// `$Nodes`: number, x, y, z.
@@ -47,7 +46,7 @@ pub(super) fn elements(
         let block = input.int("the number of elements of a block")?;
         let tags = input.int("the number of tags of an element")?;
         if block < 1 {
-            return Err(MeshFileError::syntax(
+            return Err(MeshFault::syntax(
                 input.place_of(mark),
                 "the number of elements of a block, 1 or more",
                 block.to_string(),

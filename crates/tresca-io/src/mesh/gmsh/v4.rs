@@ -2,9 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::super::error::MeshFileError;
-use super::Names;
-use super::elements::{Draft, Membership};
+use super::super::error::{MeshFault, MeshFileError};
+use super::elements::{Draft, Membership, Names};
 use super::input::Input;
 
 /// Physical groups of the elementary entities, by dimension and number of the entity.
@@ -74,7 +73,7 @@ pub(super) fn nodes(input: &mut Input<'_>, draft: &mut Draft) -> Result<(), Mesh
         }
     }
     if draft.points.len() as u64 != count {
-        return Err(MeshFileError::syntax(
+        return Err(MeshFault::syntax(
             input.place_of(start),
             format!("{count} nodes in this section"),
             draft.points.len().to_string(),

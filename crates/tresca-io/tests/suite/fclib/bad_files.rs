@@ -4,7 +4,7 @@ use std::fs;
 
 use super::{data, local, lopsided, read_text};
 use tresca_io::WriteError;
-use tresca_io::fclib::{Document, FclibError, Matrix, Problem, read};
+use tresca_io::fclib::{Document, FclibFault, Matrix, Problem, read};
 
 fn refusal(text: &str) -> String {
     let text = read_text(text).unwrap_err().to_string();
@@ -122,7 +122,7 @@ fn texts_cut_and_garbled_everywhere() {
 #[test]
 fn no_file() {
     let error = read(&data("nothing.dat")).unwrap_err();
-    assert!(matches!(error, FclibError::Io { .. }), "{error}");
+    assert!(matches!(error.fact(), FclibFault::Io(_)), "{error}");
 }
 
 #[test]
@@ -157,5 +157,5 @@ fn problems_that_do_not_fit_are_not_written() {
 #[test]
 fn hdf5_is_refused_by_name() {
     let error = read(&data("local_h5py.hdf5")).unwrap_err();
-    assert!(matches!(error, FclibError::WithoutHdf5 { .. }), "{error}");
+    assert!(matches!(error.fact(), FclibFault::WithoutHdf5), "{error}");
 }

@@ -1,7 +1,8 @@
 //! Decks: sets, surfaces, parts and instances.
 
+use miette::Diagnostic;
 use tresca_fem::mesh::{CellKind, Space};
-use tresca_io::mesh::{MeshFile, MeshFileError, parse};
+use tresca_io::mesh::{MeshFile, parse};
 
 use crate::mesh::support::{area, body, refused, solid};
 
@@ -277,9 +278,7 @@ fn what_a_deck_cannot_mean_is_refused_with_its_line() {
         assert_eq!(error.to_string(), expected);
     }
     let error = with("LOWER, upper", "LOWER, uper");
-    let MeshFileError::Syntax { help, .. } = error else {
-        panic!("{error}")
-    };
+    let help = error.help().map(|help| help.to_string());
     assert_eq!(help.as_deref(), Some("did you mean `UPPER`?"));
 }
 

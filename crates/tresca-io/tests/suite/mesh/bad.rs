@@ -1,7 +1,8 @@
 //! Files that are broken, cut off, or of another kind.
 
 use miette::Diagnostic;
-use tresca_io::mesh::{MeshFileError, Position, parse, read};
+use tresca_io::located::Position;
+use tresca_io::mesh::{MeshFault, MeshFileError, parse, read};
 
 use crate::mesh::support::refused;
 
@@ -21,8 +22,8 @@ fn other_files_and_versions_are_named() {
         "`bad.msh` is no mesh file of a known format: it begins with `solid ball\\nfacet normal `"
     );
     assert!(matches!(
-        refused("bad.msh", ""),
-        MeshFileError::Format { .. }
+        refused("bad.msh", "").fact(),
+        MeshFault::Format { .. }
     ));
     for version in ["4.0", "4", "1.0", "3"] {
         let error = with(FOUR, "4.1 0 8", &format!("{version} 0 8"));
@@ -37,7 +38,7 @@ fn other_files_and_versions_are_named() {
         );
     }
     let error = refused("bad.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n");
-    assert!(matches!(error, MeshFileError::Version { .. }), "{error}");
+    assert!(matches!(error.fact(), MeshFault::Version { .. }), "{error}");
     let error = read("there/is/nothing.msh").unwrap_err();
     assert!(
         error
@@ -80,7 +81,7 @@ fn faults_of_the_text_have_a_line() {
     ] {
         let (found, expected) = (error.to_string(), expected);
         // The last line of the file is wherever it is.
-        if let MeshFileError::Truncated { .. } = error {
+        if let MeshFault::Truncated { .. } = error.fact() {
             assert!(
                 found.ends_with("the file ends where `$EndKnoten` is expected"),
                 "{found}"
@@ -155,11 +156,12 @@ fn files_that_are_cut_off_anywhere_are_refused() {
         let last = bytes.trim_ascii_end().len();
         for end in 1..last {
             match parse("cut.msh", &bytes[..end]) {
-                Err(MeshFileError::Truncated { place, .. }) => match place.position {
-                    Position::Line(line) => assert!(line >= 1),
-                    Position::Byte(byte) => assert_eq!(byte, end),
+                Err(error) => match (error.fact(), &error.place().position) {
+                    (MeshFault::Truncated { .. }, Position::Line(line)) => assert!(*line >= 1),
+                    (MeshFault::Truncated { .. }, Position::Byte(byte)) => assert_eq!(*byte, end),
+                    (MeshFault::Truncated { .. }, other) => panic!("{other:?}"),
+                    _ => {}
                 },
-                Err(_) => {}
                 // Between two sections a file may seem whole; its elements are not there then.
                 Ok(file) => assert_ne!(file, whole, "{name} cut at {end}"),
             }

@@ -1,7 +1,7 @@
 //! Bodies out of files: what is left out, put right, and refused.
 
 use tresca_fem::mesh::Space;
-use tresca_io::mesh::{MeshFile, MeshFileError, Note, Placement, parse};
+use tresca_io::mesh::{MeshFault, MeshFile, MeshFileError, Note, Placement, parse};
 
 use crate::mesh::support::{body, data, solid};
 
@@ -80,11 +80,10 @@ fn the_wrong_dimension_is_named() {
     let error = refusal(&plates, Space::Solid, None);
     assert!(
         matches!(
-            error,
-            MeshFileError::NoCells {
+            error.fact(),
+            MeshFault::NoCells {
                 dimension: 3,
-                found: [4, 22 | 18 | 16.., 0],
-                ..
+                found: [4, 22 | 18 | 16.., 0]
             }
         ),
         "{error:?}"
@@ -113,12 +112,12 @@ fn plane_bodies_lie_in_the_plane_and_on_one_side_of_the_axis() {
     };
     let error = place([0.0, 0.0, 0.5], Space::Plane).unwrap_err();
     assert!(
-        matches!(error, MeshFileError::OffPlane { z: 0.5, .. }),
+        matches!(error.fact(), MeshFault::OffPlane { z: 0.5, .. }),
         "{error}"
     );
     let error = place([-1.5, 0.0, 0.0], Space::Axisymmetric).unwrap_err();
     assert!(
-        matches!(error, MeshFileError::NegativeRadius { radius: -0.5, .. }),
+        matches!(error.fact(), MeshFault::NegativeRadius { radius: -0.5, .. }),
         "{error}"
     );
     // Rounding of the placement is not a hole in the body.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use tresca_io::problem::{Content, Dense, KEYS, ProblemError, Sparse, read};
+use tresca_io::problem::{Content, Dense, KEYS, ProblemFault, Sparse, read};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -146,8 +146,6 @@ fn matrix_market_as_others_write_it() {
         "%%MatrixMarket matrix coordinate pattern general\n2 2 0\n",
     );
     let error = read(folder).unwrap_err();
-    assert!(
-        matches!(&error, ProblemError::Line { line: 1, .. }),
-        "{error}"
-    );
+    assert!(matches!(error.fact(), ProblemFault::Line { .. }), "{error}");
+    assert_eq!(error.line_column(), Some((1, 1)));
 }
