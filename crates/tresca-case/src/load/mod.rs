@@ -31,8 +31,7 @@ kinds_of_loads!(modules);
 
 mod table;
 
-use tresca_io::located::Span;
-use tresca_model::{Load, PlaceNames};
+use tresca_model::PlaceNames;
 
 use crate::error::CaseError;
 use crate::place::{SurfaceList, Wanted};
