@@ -12,7 +12,8 @@ use tresca_model::VectorField;
 
 use crate::analysis::Analysis;
 use crate::error::{CaseError, FaultKind};
-use crate::expression::{Expression, VARIABLES};
+use crate::expression::Expression;
+use crate::expression::names::VARIABLES;
 use crate::reader::Reader;
 use crate::text::at::At;
 

@@ -4,7 +4,7 @@ use serde::Deserialize;
 use tresca_model::{PlaceName, PlaceNames, Support};
 
 use crate::error::{CaseError, FaultKind};
-use crate::expression::VARIABLES;
+use crate::expression::names::VARIABLES;
 use crate::place::{SurfaceList, Wanted};
 use crate::reader::Reader;
 use crate::text::at::At;

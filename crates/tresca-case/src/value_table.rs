@@ -66,15 +66,15 @@ impl Reader<'_> {
             2 => "x,y,value",
             _ => "x,y,z,value",
         };
-        read_rows(&text, header, what)
-            .map(|rows| ValueTable::new(rows))
-            .map_err(|TableFault { line, fault, label }| {
+        read_rows(&text, header, what).map(ValueTable::new).map_err(
+            |TableFault { line, fault, label }| {
                 fail(
                     format!("{}:{line}: {fault}", path.display()),
                     label,
                     format!("a table of values is a CSV file with the header `{header}`"),
                 )
-            })
+            },
+        )
     }
 }
 

@@ -43,7 +43,8 @@ pub use contact::{Contact, ContactWithin, Nearby, Partner};
 pub use error::ModelError;
 pub use identity::{ContactId, LoadId, ObstacleId, Quantity, Subject, SupportId};
 pub use load::{
-    ActsAsLoad, BodyForce, Force, Gravity, Load, LoadKind, Pressure, Region, Target, Traction,
+    ActsAsLoad, BodyForce, Force, Gravity, Load, LoadKind, Pressure, Region, Share, Target,
+    Traction, Traits,
 };
 pub use model::Model;
 pub use obstacle::Obstacle;

@@ -9,6 +9,7 @@ use crate::contact::{Contact, ContactWithin, Partner};
 use crate::error::ModelError;
 use crate::identity::{ContactId, LoadId, ObstacleId, Quantity, SupportId};
 use crate::load::Load;
+use crate::load::kind::Share;
 use crate::obstacle::Obstacle;
 use crate::place::{Place, PlaceName, PlaceNames};
 use crate::step::Step;
@@ -356,7 +357,7 @@ impl Model {
     pub fn shape(&self, quantity: Quantity) -> Option<Shape> {
         match quantity {
             Quantity::Support(_) | Quantity::Motion(_) => Some(Shape::Vector),
-            Quantity::Load(id) => Some(self.loads[id.0].kind.shape()),
+            Quantity::Load(id) => Some(self.loads[id.0].kind.traits().shape),
             Quantity::SlipBound(id) => self.contacts[id.0].shape(),
         }
     }
@@ -376,7 +377,8 @@ impl Model {
     /// Adds an amount of a load to the forces at the dofs of a body, held ones too.
     pub fn add_forces(&self, load: LoadId, body: usize, amount: Amount, forces: &mut [f64]) {
         let Load { on, kind, .. } = &self.loads[load.0];
-        kind.add_forces(on, &self.bodies, body, amount, forces);
+        let bodies = &self.bodies;
+        kind.add_forces(&Share { on, bodies, body }, amount, forces);
     }
 
     /// The faces of a surface.

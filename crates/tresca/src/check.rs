@@ -218,7 +218,7 @@ fn load_checks(model: &Model) -> (Vec<LoadCheck>, Vec<Vec<f64>>) {
     for (number, load) in model.loads().iter().enumerate() {
         let mut check = LoadCheck {
             name: load.name.clone(),
-            kind: load.kind.word(),
+            kind: load.kind.traits().word,
             on: load.on.names(model.bodies()),
             force: [0.0; 3],
             moment: [0.0; 3],

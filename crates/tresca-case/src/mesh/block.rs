@@ -7,7 +7,7 @@ use tresca_io::located::Span;
 
 use crate::analysis::Analysis;
 use crate::error::{CaseError, FaultKind};
-use crate::expression::VARIABLES;
+use crate::expression::names::VARIABLES;
 use crate::numbers::Components;
 use crate::reader::Reader;
 use crate::text::at::At;

@@ -104,7 +104,7 @@ impl Reader<'_> {
         let what = match quantity {
             Quantity::Support(id) => return self.new_displacement(name, value, id, before),
             Quantity::SlipBound(id) => return self.new_bound(name, value, id),
-            Quantity::Load(id) => self.model.loads()[id.0].kind.value_word(),
+            Quantity::Load(id) => self.model.loads()[id.0].kind.traits().value_word,
             _ => "the motion",
         };
         match (self.model.shape(quantity), &value.value) {

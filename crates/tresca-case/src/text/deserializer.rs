@@ -1,14 +1,14 @@
 //! serde's deserializer of a TOML tree. Not that of the `toml` crate, for its errors are sentences: here they say what is
 //! wrong, see [`ShapeError`].
 
-use serde::de::value::{StrDeserializer, UsizeDeserializer};
+use serde::de::value::{MapDeserializer, SeqDeserializer, StrDeserializer, UsizeDeserializer};
 use serde::de::{
-    DeserializeOwned, DeserializeSeed, Deserializer, Error, IntoDeserializer, MapAccess, SeqAccess,
+    DeserializeOwned, DeserializeSeed, Deserializer, Error, IntoDeserializer, SeqAccess,
     Unexpected, Visitor,
 };
 use serde::forward_to_deserialize_any;
 use toml::Spanned;
-use toml::de::{DeInteger, DeString, DeTable, DeValue};
+use toml::de::{DeArray, DeInteger, DeTable, DeValue};
 use tresca_io::located::Span;
 
 use super::at;
@@ -16,91 +16,52 @@ use super::shape::{Expected, ShapeError};
 
 /// Reads the table of a whole file.
 pub(super) fn table<K: DeserializeOwned>(root: &Spanned<DeTable<'_>>) -> Result<K, ShapeError> {
-    let place = Place {
-        span: root.span(),
-        key: "",
-    };
-    let table = Entries::new(root.get_ref());
-    K::deserialize(TableDeserializer { table, place })
+    K::deserialize(entries(root.get_ref())).map_err(|error| error.or_at(&root.span()))
 }
 
-/// Where a value stands.
+/// Where a key or a value stands.
 #[derive(Clone)]
 struct Place<'t> {
     span: Span,
-    /// The key that it belongs to; entries of a list have that of the list.
+    /// The key, or that of the value; entries of a list have that of the list.
     key: &'t str,
 }
 
-struct TableDeserializer<'t, 'i> {
-    table: Entries<'t, 'i>,
-    place: Place<'t>,
-}
-
-impl<'de> Deserializer<'de> for TableDeserializer<'_, '_> {
-    type Error = ShapeError;
-
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, ShapeError> {
-        let at = |error: ShapeError| error.or_at(&self.place.span);
-        visitor.visit_map(self.table).map_err(at)
-    }
-
-    forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
-        newtype_struct seq tuple tuple_struct map struct enum identifier ignored_any
-    }
-}
-
-/// The entries of a table, one after the other.
-struct Entries<'t, 'i> {
-    entries: Box<dyn Iterator<Item = (&'t Spanned<DeString<'i>>, &'t Spanned<DeValue<'i>>)> + 't>,
-    value: Option<ValueDeserializer<'t, 'i>>,
-}
-
-impl<'t, 'i> Entries<'t, 'i> {
-    fn new(table: &'t DeTable<'i>) -> Self {
-        Self {
-            entries: Box::new(table.iter()),
-            value: None,
-        }
-    }
-}
-
-impl<'de> MapAccess<'de> for Entries<'_, '_> {
-    type Error = ShapeError;
-
-    fn next_key_seed<K: DeserializeSeed<'de>>(
-        &mut self,
-        seed: K,
-    ) -> Result<Option<K::Value>, ShapeError> {
-        let Some((key, value)) = self.entries.next() else {
-            return Ok(None);
+fn entries<'t, 'i>(
+    table: &'t DeTable<'i>,
+) -> MapDeserializer<
+    'static,
+    impl Iterator<Item = (KeyDeserializer<'t>, ValueDeserializer<'t, 'i>)>,
+    ShapeError,
+> {
+    MapDeserializer::new(table.iter().map(|(key, value)| {
+        let at = |span| Place {
+            span,
+            key: key.get_ref().as_ref(),
         };
-        self.value = Some(ValueDeserializer {
+        let value = ValueDeserializer {
+            place: at(value.span()),
             value: value.get_ref(),
-            place: Place {
-                span: value.span(),
-                key: key.get_ref(),
-            },
-        });
-        let place = Place {
-            span: key.span(),
-            key: key.get_ref(),
         };
-        seed.deserialize(KeyDeserializer(place)).map(Some)
-    }
-
-    fn next_value_seed<V: DeserializeSeed<'de>>(
-        &mut self,
-        seed: V,
-    ) -> Result<V::Value, ShapeError> {
-        match self.value.take() {
-            Some(value) => seed.deserialize(value),
-            None => Err(ShapeError::custom("a value without a key")),
-        }
-    }
+        (KeyDeserializer(at(key.span())), value)
+    }))
 }
 
+/// The entries of a list, which belongs to a key.
+fn list<'t, 'i>(
+    list: &'t DeArray<'i>,
+    key: &'t str,
+) -> SeqDeserializer<impl Iterator<Item = ValueDeserializer<'t, 'i>>, ShapeError> {
+    SeqDeserializer::new(list.iter().map(move |entry| ValueDeserializer {
+        value: entry.get_ref(),
+        place: Place {
+            span: entry.span(),
+            key,
+        },
+    }))
+}
+
+#[derive(Clone)]
 struct KeyDeserializer<'t>(Place<'t>);
 
 impl<'de> Deserializer<'de> for KeyDeserializer<'_> {
@@ -127,6 +88,20 @@ impl<'de> Deserializer<'de> for KeyDeserializer<'_> {
         seq tuple tuple_struct map struct enum identifier ignored_any
     }
 }
+
+/// Both are deserializers of themselves.
+macro_rules! into_itself {
+    ($($type:ty),*) => {$(
+        impl IntoDeserializer<'_, ShapeError> for $type {
+            type Deserializer = Self;
+
+            fn into_deserializer(self) -> Self {
+                self
+            }
+        }
+    )*};
+}
+into_itself!(KeyDeserializer<'_>, ValueDeserializer<'_, '_>);
 
 /// Start, end and value, for [`at::At`].
 struct Parts<D> {
@@ -200,16 +175,6 @@ impl<'t, 'i> ValueDeserializer<'t, 'i> {
         };
         number.ok_or_else(|| self.wrong(Expected::Number))
     }
-
-    fn list(&self) -> Option<List<'t, 'i>> {
-        let DeValue::Array(list) = self.value else {
-            return None;
-        };
-        Some(List {
-            entries: Box::new(list.iter()),
-            key: self.place.key,
-        })
-    }
 }
 
 fn integer_value(integer: &DeInteger<'_>) -> Option<i128> {
@@ -244,11 +209,8 @@ impl<'de> Deserializer<'de> for ValueDeserializer<'_, '_> {
             DeValue::String(text) => visitor.visit_str(text),
             DeValue::Integer(_) | DeValue::Float(_) => visitor.visit_f64(self.number()?),
             DeValue::Boolean(word) => visitor.visit_bool(*word),
-            DeValue::Array(list) => visitor.visit_seq(List {
-                entries: Box::new(list.iter()),
-                key: self.place.key,
-            }),
-            DeValue::Table(table) => visitor.visit_map(Entries::new(table)),
+            DeValue::Array(entries) => visitor.visit_seq(list(entries, self.place.key)),
+            DeValue::Table(table) => visitor.visit_map(entries(table)),
             DeValue::Datetime(_) => Err(Error::invalid_type(unexpected(self.value), &visitor)),
         };
         self.at(value)
@@ -290,15 +252,15 @@ impl<'de> Deserializer<'de> for ValueDeserializer<'_, '_> {
     }
 
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, ShapeError> {
-        match self.list() {
-            Some(list) => self.at(visitor.visit_seq(list)),
-            None => Err(self.wrong(Expected::List)),
+        match self.value {
+            DeValue::Array(entries) => self.at(visitor.visit_seq(list(entries, self.place.key))),
+            _ => Err(self.wrong(Expected::List)),
         }
     }
 
     fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, ShapeError> {
         match self.value {
-            DeValue::Table(table) => self.at(visitor.visit_map(Entries::new(table))),
+            DeValue::Table(table) => self.at(visitor.visit_map(entries(table))),
             DeValue::Array(_) => Err(self.wrong(Expected::Table(self.place.key.to_owned()))),
             value => self.at(Err(Error::invalid_type(unexpected(value), &visitor))),
         }
@@ -342,29 +304,5 @@ impl<'de> Deserializer<'de> for ValueDeserializer<'_, '_> {
 
     forward_to_deserialize_any! {
         i8 i16 i128 u128 f32 char bytes byte_buf unit unit_struct tuple tuple_struct identifier ignored_any
-    }
-}
-
-/// The entries of a list, one after the other.
-struct List<'t, 'i> {
-    entries: Box<dyn Iterator<Item = &'t Spanned<DeValue<'i>>> + 't>,
-    key: &'t str,
-}
-
-impl<'de> SeqAccess<'de> for List<'_, '_> {
-    type Error = ShapeError;
-
-    fn next_element_seed<T: DeserializeSeed<'de>>(
-        &mut self,
-        seed: T,
-    ) -> Result<Option<T::Value>, ShapeError> {
-        let entry = self.entries.next().map(|entry| ValueDeserializer {
-            value: entry.get_ref(),
-            place: Place {
-                span: entry.span(),
-                key: self.key,
-            },
-        });
-        entry.map(|entry| seed.deserialize(entry)).transpose()
     }
 }

@@ -43,17 +43,13 @@ impl Folder {
             let text = fs::read_to_string(&file).map_err(ProblemFault::io(&file))?;
             text.parse().map_err(|error: toml::de::Error| {
                 let offset = error.span().map_or(0, |span| span.start);
-                ProblemFault::Wrong {
+                let before = &text.as_bytes()[..offset.min(text.len())];
+                let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+                ProblemFault::Line {
                     expected: "TOML".to_owned(),
                     found: error.message().to_owned(),
                 }
-                .on(
-                    &file,
-                    1 + text.as_bytes()[..offset.min(text.len())]
-                        .iter()
-                        .filter(|b| **b == b'\n')
-                        .count(),
-                )
+                .on(&file, line)
             })?
         } else {
             toml::Table::new()
@@ -77,7 +73,7 @@ impl Folder {
             expected: expected.to_owned(),
             found: found.into(),
         }
-        .at(&self.path.join(TABLE), key)
+        .at(self.path.join(TABLE), key)
     }
 
     fn file(&self, key: &str) -> Result<File, ProblemError> {
@@ -194,7 +190,7 @@ impl<'a> Lines<'a> {
             expected: expected.to_owned(),
             found: found.to_owned(),
         }
-        .on(&self.path, self.last)
+        .on(self.path, self.last)
     }
 
     fn counts<const N: usize>(&mut self, expected: &str) -> Result<[usize; N], ProblemError> {

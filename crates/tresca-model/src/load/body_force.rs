@@ -1,11 +1,8 @@
 //! Forces per volume.
 
-use tresca_fem::loads;
-
-use super::kind::{ActsAsLoad, add};
-use super::region::{Region, Target};
+use super::kind::{ActsAsLoad, Share, Traits};
+use super::region::Target;
 use crate::amount::{Amount, Shape};
-use crate::body::Bodies;
 
 /// A force per volume, global components.
 #[derive(Debug, Clone)]
@@ -22,37 +19,20 @@ impl BodyForce {
 }
 
 impl ActsAsLoad for BodyForce {
-    fn word(&self) -> &'static str {
-        "body force"
-    }
-
-    fn value_word(&self) -> &'static str {
-        "the body force"
-    }
-
-    fn target(&self) -> Target {
-        Target::Bodies
-    }
-
-    fn shape(&self) -> Shape {
-        Shape::Vector
+    fn traits(&self) -> Traits {
+        Traits {
+            word: "body force",
+            value_word: "the body force",
+            target: Target::Bodies,
+            shape: Shape::Vector,
+        }
     }
 
     fn constant(&self) -> Option<Amount> {
         Some(Amount::Vector(self.value))
     }
 
-    fn add_forces(
-        &self,
-        on: &Region,
-        bodies: &Bodies,
-        body: usize,
-        amount: Amount,
-        forces: &mut [f64],
-    ) {
-        if on.bodies().contains(&body) {
-            let force = amount.of_vector(self.value);
-            add(1.0, &loads::body_force(&bodies[body].mesh, |_| force), forces);
-        }
+    fn add_forces(&self, share: &Share<'_>, amount: Amount, forces: &mut [f64]) {
+        share.add_body_force(amount.of_vector(self.value), forces);
     }
 }

@@ -2,10 +2,9 @@
 
 use tresca_fem::loads;
 
-use super::kind::{ActsAsLoad, add};
-use super::region::{Region, Target};
+use super::kind::{ActsAsLoad, Share, Traits, add};
+use super::region::Target;
 use crate::amount::{Amount, Shape};
-use crate::body::Bodies;
 
 /// A force, spread evenly over all its surfaces: on each area it is the traction force / total undeformed area. Global
 /// components; in the plane per unit thickness, in an axisymmetric space that of the whole circumference.
@@ -23,44 +22,24 @@ impl Force {
 }
 
 impl ActsAsLoad for Force {
-    fn word(&self) -> &'static str {
-        "force"
-    }
-
-    fn value_word(&self) -> &'static str {
-        "the force"
-    }
-
-    fn target(&self) -> Target {
-        Target::Surfaces
-    }
-
-    fn shape(&self) -> Shape {
-        Shape::Vector
+    fn traits(&self) -> Traits {
+        Traits {
+            word: "force",
+            value_word: "the force",
+            target: Target::Surfaces,
+            shape: Shape::Vector,
+        }
     }
 
     fn constant(&self) -> Option<Amount> {
         Some(Amount::Vector(self.value))
     }
 
-    fn add_forces(
-        &self,
-        on: &Region,
-        bodies: &Bodies,
-        body: usize,
-        amount: Amount,
-        forces: &mut [f64],
-    ) {
-        let area: f64 = on
-            .surfaces()
-            .iter()
-            .flat_map(|on| loads::nodal_areas(&bodies[on.body].mesh, bodies.faces(on)))
-            .sum();
+    fn add_forces(&self, share: &Share<'_>, amount: Amount, forces: &mut [f64]) {
+        let area = share.total_area();
         let traction = amount.of_vector(self.value).map(|force| force / area);
-        let mesh = &bodies[body].mesh;
-        for surface in on.surfaces_of(body) {
-            let part = loads::traction(mesh, bodies.faces(surface), traction);
-            add(1.0, &part, forces);
+        for faces in share.surfaces() {
+            add(1.0, &loads::traction(share.mesh(), faces, traction), forces);
         }
     }
 }

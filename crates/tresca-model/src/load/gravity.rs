@@ -1,8 +1,6 @@
 //! Weight.
 
-use tresca_fem::loads;
-
-use super::kind::{ActsAsLoad, add};
+use super::kind::{ActsAsLoad, Share, Traits};
 use super::region::{Region, Target};
 use crate::amount::{Amount, Shape};
 use crate::body::Bodies;
@@ -23,20 +21,13 @@ impl Gravity {
 }
 
 impl ActsAsLoad for Gravity {
-    fn word(&self) -> &'static str {
-        "gravity"
-    }
-
-    fn value_word(&self) -> &'static str {
-        "the acceleration"
-    }
-
-    fn target(&self) -> Target {
-        Target::Bodies
-    }
-
-    fn shape(&self) -> Shape {
-        Shape::Vector
+    fn traits(&self) -> Traits {
+        Traits {
+            word: "gravity",
+            value_word: "the acceleration",
+            target: Target::Bodies,
+            shape: Shape::Vector,
+        }
     }
 
     fn constant(&self) -> Option<Amount> {
@@ -53,18 +44,9 @@ impl ActsAsLoad for Gravity {
         }
     }
 
-    fn add_forces(
-        &self,
-        on: &Region,
-        bodies: &Bodies,
-        body: usize,
-        amount: Amount,
-        forces: &mut [f64],
-    ) {
-        if on.bodies().contains(&body) {
-            let density = bodies[body].density.unwrap_or(0.0);
-            let force = amount.of_vector(self.value).map(|g| density * g);
-            add(1.0, &loads::body_force(&bodies[body].mesh, |_| force), forces);
-        }
+    fn add_forces(&self, share: &Share<'_>, amount: Amount, forces: &mut [f64]) {
+        let density = share.bodies[share.body].density.unwrap_or(0.0);
+        let force = amount.of_vector(self.value).map(|g| density * g);
+        share.add_body_force(force, forces);
     }
 }

@@ -5,7 +5,7 @@ mod region;
 
 use std::ops::Deref;
 
-pub use kind::ActsAsLoad;
+pub use kind::{ActsAsLoad, Share, Traits};
 pub use region::{Region, Target};
 
 use crate::amount::Amount;
@@ -87,7 +87,7 @@ impl Load<PlaceNames> {
 
     /// Its places found, and its figures checked.
     pub(crate) fn found(self, bodies: &Bodies) -> Result<Load, ModelError> {
-        let on = Region::find(self.kind.target(), &self.on, bodies)?;
+        let on = Region::find(self.kind.traits().target, &self.on, bodies)?;
         if let Some(value) = self.kind.constant() {
             bodies.check_vector(&match value {
                 Amount::Vector(vector) => vector,

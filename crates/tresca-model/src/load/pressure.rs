@@ -3,7 +3,7 @@
 use tresca_contact::ScalarField;
 use tresca_fem::loads;
 
-use super::kind::{ActsAsLoad, add};
+use super::kind::{ActsAsLoad, Share, Traits, add};
 use super::region::{Region, Target};
 use crate::amount::{Amount, Shape};
 use crate::body::Bodies;
@@ -25,20 +25,13 @@ impl Pressure {
 }
 
 impl ActsAsLoad for Pressure {
-    fn word(&self) -> &'static str {
-        "pressure"
-    }
-
-    fn value_word(&self) -> &'static str {
-        "the pressure"
-    }
-
-    fn target(&self) -> Target {
-        Target::Surfaces
-    }
-
-    fn shape(&self) -> Shape {
-        Shape::Scalar
+    fn traits(&self) -> Traits {
+        Traits {
+            word: "pressure",
+            value_word: "the pressure",
+            target: Target::Surfaces,
+            shape: Shape::Scalar,
+        }
     }
 
     fn constant(&self) -> Option<Amount> {
@@ -55,14 +48,7 @@ impl ActsAsLoad for Pressure {
         }
     }
 
-    fn add_forces(
-        &self,
-        on: &Region,
-        bodies: &Bodies,
-        body: usize,
-        amount: Amount,
-        forces: &mut [f64],
-    ) {
+    fn add_forces(&self, share: &Share<'_>, amount: Amount, forces: &mut [f64]) {
         let own = |x| match &self.value {
             ScalarField::Constant(value) => *value,
             ScalarField::Function(function) => function(x),
@@ -73,10 +59,9 @@ impl ActsAsLoad for Pressure {
             Amount::Factor(factor) => (factor, None),
             value => (1.0, Some(value.of_scalar(0.0))),
         };
-        for surface in on.surfaces_of(body) {
+        for faces in share.surfaces() {
             let pressure = |x| value.unwrap_or_else(|| own(x));
-            let (mesh, faces) = (&bodies[body].mesh, bodies.faces(surface));
-            add(factor, &loads::pressure_field(mesh, faces, pressure), forces);
+            add(factor, &loads::pressure_field(share.mesh(), faces, pressure), forces);
         }
     }
 }

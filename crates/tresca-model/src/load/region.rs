@@ -59,12 +59,6 @@ impl Region {
         }
     }
 
-    /// The surfaces of one body.
-    pub(super) fn surfaces_of(&self, body: usize) -> impl Iterator<Item = &Place> {
-        let surfaces = self.surfaces().iter();
-        surfaces.filter(move |surface| surface.body == body)
-    }
-
     /// Names of the places, as in case files.
     pub fn names(&self, bodies: &Bodies) -> Vec<String> {
         let name = |body: usize| bodies[body].name.as_str();

@@ -2,10 +2,9 @@
 
 use tresca_fem::loads;
 
-use super::kind::{ActsAsLoad, add};
-use super::region::{Region, Target};
+use super::kind::{ActsAsLoad, Share, Traits, add};
+use super::region::Target;
 use crate::amount::{Amount, Shape};
-use crate::body::Bodies;
 use crate::vector_field::VectorField;
 
 /// A force per area of the undeformed surface, global components.
@@ -24,49 +23,34 @@ impl Traction {
 }
 
 impl ActsAsLoad for Traction {
-    fn word(&self) -> &'static str {
-        "traction"
-    }
-
-    fn value_word(&self) -> &'static str {
-        "the traction"
-    }
-
-    fn target(&self) -> Target {
-        Target::Surfaces
-    }
-
-    fn shape(&self) -> Shape {
-        Shape::Vector
+    fn traits(&self) -> Traits {
+        Traits {
+            word: "traction",
+            value_word: "the traction",
+            target: Target::Surfaces,
+            shape: Shape::Vector,
+        }
     }
 
     fn constant(&self) -> Option<Amount> {
         self.value.constant().map(Amount::Vector)
     }
 
-    fn add_forces(
-        &self,
-        on: &Region,
-        bodies: &Bodies,
-        body: usize,
-        amount: Amount,
-        forces: &mut [f64],
-    ) {
-        let mesh = &bodies[body].mesh;
-        for surface in on.surfaces_of(body) {
-            let faces = bodies.faces(surface);
-            match (amount, &self.value) {
+    fn add_forces(&self, share: &Share<'_>, amount: Amount, forces: &mut [f64]) {
+        for faces in share.surfaces() {
+            let (factor, part) = match (amount, &self.value) {
                 (Amount::Factor(factor), VectorField::Constant(own)) => {
-                    add(factor, &loads::traction(mesh, faces, *own), forces);
+                    (factor, loads::traction(share.mesh(), faces, *own))
                 }
                 (Amount::Factor(factor), VectorField::Function(own)) => {
-                    add(factor, &loads::traction_field(mesh, faces, |x| own(x)), forces);
+                    (factor, loads::traction_field(share.mesh(), faces, |x| own(x)))
                 }
                 (value, _) => {
                     let value = value.of_vector([0.0; 3]);
-                    add(1.0, &loads::traction(mesh, faces, value), forces);
+                    (1.0, loads::traction(share.mesh(), faces, value))
                 }
-            }
+            };
+            add(factor, &part, forces);
         }
     }
 }

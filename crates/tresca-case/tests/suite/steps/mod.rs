@@ -59,7 +59,7 @@ fn without_steps_everything_acts_at_once() {
     };
     assert_eq!((step.time, step.name.as_ref()), (1.0, None));
     assert!(step.amounts.is_empty());
-    assert_eq!(drag(&[step.clone()]), [[0.5, -0.25]]);
+    assert_eq!(drag(std::slice::from_ref(step)), [[0.5, -0.25]]);
 }
 
 #[test]
