@@ -1,6 +1,6 @@
 //! Loads. A new kind is a file beside this one, which implements [`ActsAsLoad`], and a line in the list below.
 
-mod kind;
+pub(crate) mod kind;
 mod region;
 
 use std::ops::Deref;
