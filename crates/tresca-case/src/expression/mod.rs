@@ -14,8 +14,8 @@
 //! permissive licence read `-x^2` as (−x)² (`exmex` 0.21): a wrong load without a word of warning.
 
 mod code;
-mod error;
-mod names;
+pub(crate) mod error;
+pub(crate) mod names;
 mod parser;
 
 use std::fmt;
