@@ -3,6 +3,9 @@
 use tresca::output::Destination;
 use tresca::{RunReport, Status};
 
+/// What writes the result files of a run into a directory, under the run's name.
+pub type Write<'a> = Box<dyn FnOnce(Destination, &str) -> miette::Result<RunReport> + 'a>;
+
 /// A run with a result.
 pub struct Finished<'a> {
     /// How it ended.
@@ -10,7 +13,7 @@ pub struct Finished<'a> {
     /// Iterations of all steps.
     pub iterations: usize,
     /// Writes the result files.
-    pub write: Box<dyn FnOnce(Destination, &str) -> miette::Result<RunReport> + 'a>,
+    pub write: Write<'a>,
 }
 
 impl Finished<'_> {

@@ -65,7 +65,7 @@ fn refused(text: &str) -> (String, (usize, usize)) {
         Err(error) => error,
         Ok(case) => {
             let run = tresca::solve_with(&case.model, case.settings(), &mut tresca::Silent);
-            tresca::case::locate(&case, &run.err().expect("this case is wrong"))
+            tresca::case::locate(&case, &run.expect_err("this case is wrong"))
         }
     };
     (error.to_string(), error.line_column().unwrap_or((0, 0)))

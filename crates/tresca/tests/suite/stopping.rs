@@ -79,8 +79,9 @@ fn foreign(stop: &mut Stop) -> End {
     }
 }
 
-const DOORS: [(&str, fn(&mut Stop) -> End); 3] =
-    [("case", case), ("matrices", matrices), ("fclib", foreign)];
+type Door = fn(&mut Stop) -> End;
+
+const DOORS: [(&str, Door); 3] = [("case", case), ("matrices", matrices), ("fclib", foreign)];
 
 #[test]
 fn a_run_that_is_stopped_before_its_first_iteration_has_no_result() {
