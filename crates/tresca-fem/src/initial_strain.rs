@@ -1,7 +1,14 @@
 //! Initial strains: what a body would do if nothing hindered it.
 //!
-//! With an initial strain ε⁰ the stress is σ = D (ε − ε⁰): thermal expansion α ΔT I, swelling, a misfit. It enters in
-//! three places, all of which take the same [`InitialStrain`]: internal forces ∫ Bᵀσ dΩ
+//! With an initial strain ε⁰ (thermal expansion α ΔT I, swelling, a misfit) the stress is
+//!
+//! <div>
+//! $$
+//! \sigma = D\,(\varepsilon - \varepsilon^0).
+//! $$
+//! </div>
+//!
+//! It enters in three places, all of which take the same [`InitialStrain`]: internal forces ∫ Bᵀσ dΩ
 //! ([`crate::assembly::internal_forces`]), the load ∫ Bᵀ D ε⁰ dΩ that it is for the displacement
 //! ([`crate::assembly::initial_strain_load`]), and stresses ([`crate::stress::recover`]). K does not know it.
 //!

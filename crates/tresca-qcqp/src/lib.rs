@@ -1,10 +1,12 @@
 //! The dual contact problem and the methods that solve it.
 //!
-//! ```text
-//! min q(λ) = ½ λᵀAλ − λᵀb   over   λ ∈ Λ,      Λ a product of lines, half-lines, intervals and discs
-//! ```
+//! <div>
+//! $$
+//! \min_{\lambda \in \Lambda}\; q(\lambda) = \tfrac12 \lambda^T A \lambda - \lambda^T b
+//! $$
+//! </div>
 //!
-//! with A symmetric positive (semi)definite and known by its products alone.
+//! with Λ a product of lines, half-lines, intervals and discs, and A symmetric positive (semi)definite and known by its products alone.
 //! Nothing here knows a mesh: a matrix from a file is as good as two bricks.
 //!
 //! - [`DualProblem`] holds the operator A, the right-hand side b and the set Λ ([`ProductSet`]).
@@ -21,9 +23,15 @@
 //! everything learnt is kept, also from one call of [`solve`] to the next.
 //!
 //! All methods start, measure and stop alike: the reported figure is
-//! ‖r̃(λ)‖/‖r̃(0)‖ at a feasible λ, where r̃(λ) = (λ − P_Λ(λ − ρ r(λ)))/ρ is the
-//! reduced gradient, r(λ) = Aλ − b, P_Λ the projection and ρ = 1/σmax, σmax
-//! estimated by a few Lanczos steps.
+//! ‖r̃(λ)‖/‖r̃(0)‖ at a feasible λ, with the reduced gradient
+//!
+//! <div>
+//! $$
+//! \tilde r(\lambda) = \tfrac1\rho \bigl(\lambda - P_\Lambda(\lambda - \rho\, r(\lambda))\bigr), \qquad r(\lambda) = A\lambda - b,
+//! $$
+//! </div>
+//!
+//! P_Λ the projection and ρ = 1/σmax, σmax estimated by a few Lanczos steps.
 //!
 //! ```
 //! use tresca_la::PackedLower;

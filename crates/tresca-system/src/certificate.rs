@@ -11,6 +11,7 @@ pub use crate::measures::{ROUNDING_OF_FORCES, scale};
 
 /// How far a pair (u, λ) is from solving the contact problem (docs/theory.md, "The contact problem").
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Certificate {
     /// ‖Ku + Bᵀλ − f‖ over the largest of ‖f‖, ‖Bᵀλ‖ and ‖Ku‖, over the free dofs of all bodies.
     pub equilibrium: f64,

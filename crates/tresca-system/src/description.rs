@@ -7,6 +7,7 @@ use crate::factors::FactorWork;
 
 /// Sizes of a problem and how it is going to be solved.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Description {
     /// n, free and held dofs of all bodies.
     pub dofs: usize,
@@ -26,6 +27,7 @@ pub struct Description {
 
 /// Which engine multiplies by A, and why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct EngineChoice {
     /// The engine, never [`Engine::Auto`].
     pub engine: Engine,

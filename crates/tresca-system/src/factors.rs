@@ -11,6 +11,7 @@ use crate::body::{Body, FactorFailure};
 
 /// What the factorisation cost.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FactorWork {
     /// Nonzeros of all factors.
     pub nonzeros: f64,

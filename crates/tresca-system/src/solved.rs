@@ -13,6 +13,7 @@ use crate::measures::{Elastic, Interface, Pairs};
 /// Look at the status of [`dual`](Solved::dual) first: the forces are always admissible, but only with
 /// [`Status::Converged`] are they a solution.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Solved {
     /// Status, figures, iteration records; its vectors are in the solver's unknowns μ.
     pub dual: DualSolution,

@@ -60,12 +60,13 @@ pub use tresca_fem::assembly::Formulation;
 pub use tresca_fem::{material, mesh, rigid};
 pub use tresca_model::{self as model, Body, Contact, Model, ModelError, Step, Support, Traction};
 pub use tresca_qcqp::{
-    CoulombMethod, DualSolution, Engine, Figures, InnerSolver, IterationRecord, Method, OptionInfo,
-    Settings, StateCounts, Status, record,
+    CoulombMethod, DualProblem, DualSolution, Engine, Figures, InnerSolver, IterationRecord,
+    Method, OptionInfo, Settings, StateCounts, Status, record,
 };
 pub use tresca_system::certificate::{self, Certificate};
 pub use tresca_system::description::{Description, EngineChoice, Times};
 pub use tresca_system::factors::{FactorWork, Factors};
 pub use tresca_system::layout::Layout;
 pub use tresca_system::progress::{self, Progress, Silent, Stage, StepInfo, Stopped};
+pub use tresca_system::{self as system};
 pub use version::VERSION;

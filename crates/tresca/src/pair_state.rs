@@ -7,6 +7,7 @@ use crate::assemble::Assembled;
 
 /// The state of one contact pair.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct PairState {
     /// The pair: nodes, frame, gap, area, law.
     pub pair: ContactPair,

@@ -8,6 +8,7 @@ use crate::assemble::Assembled;
 
 /// A motion that nothing resists, in words and as a displacement.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct UnresistedMotion {
     /// The bodies that move, with how they move.
     pub bodies: Vec<(String, String)>,

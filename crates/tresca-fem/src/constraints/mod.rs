@@ -4,12 +4,23 @@
 //! resolves a list of them together with the supports: what is left are the free dofs û, and every full
 //! vector is
 //!
-//! u = C û + u⁰
+//! <div>
+//! $$
+//! u = C \hat u + u^0
+//! $$
+//! </div>
 //!
 //! with one row of C per full dof: a unit row for a free dof, a zero row for a held one, the resolved
 //! equation for a dependent one; u⁰ has the held displacements and what the equations make of them and of
-//! their right sides. Stiffness, loads and rows of contact follow: K̂ = CᵀKC, f̂ = Cᵀ(f − K u⁰), B C. All of it is
-//! behind the doors of [`crate::dofs::DofMap`]; a body without equations pays nothing.
+//! their right sides. Stiffness, loads and rows of contact follow:
+//!
+//! <div>
+//! $$
+//! \hat K = C^T K C, \qquad \hat f = C^T (f - K u^0), \qquad \hat B = B\, C.
+//! $$
+//! </div>
+//!
+//! All of it is behind the doors of [`crate::dofs::DofMap`]; a body without equations pays nothing.
 //!
 //! **Signs.** With the multiplier μ of an equation, the force that it puts on the body at dof k is μ a_k:
 //! K u − f = Σ μ a + the reactions of the supports. See [`crate::dofs::DofMap::multipliers`].

@@ -1,8 +1,15 @@
 //! GRSSN: the reduced semismooth Newton method, globalised.
 //!
 //! From the projected gradient point x = P_Λ(λ − ρ r(λ)) a Newton step that
-//! keeps the curvature of the slip circles; its system is symmetric positive
-//! definite (see [`Tangent`]), so one preconditioned CG per step suffices, and
+//! keeps the curvature C of the slip circles, in the space Z of what may move:
+//!
+//! <div>
+//! $$
+//! (Z^T A Z + C)\, s = -Z^T r(x), \qquad \delta = Z s
+//! $$
+//! </div>
+//!
+//! The system is symmetric positive definite (see [`Tangent`]), so one preconditioned CG per step suffices, and
 //! convergence is superlinear. The step counts only if it does not raise q above
 //! q(x); x itself has the guarantee of GIMSSN: globally R-linear.
 //!

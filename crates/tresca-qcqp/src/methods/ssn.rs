@@ -1,8 +1,14 @@
 //! SSN: the semismooth Newton method as it stands.
 //!
 //! Newton's method for λ = P_Λ(λ − ρ r(λ)) with the slanting function G of P_Λ:
-//! (I − G (I − ρA)) δ = P_Λ(y) − λ at y = λ − ρ r(λ). Nonsymmetric where pairs
-//! slip, so BiCGSTAB: two multiplications per inner iteration.
+//!
+//! <div>
+//! $$
+//! \bigl(I - G\,(I - \rho A)\bigr)\,\delta = P_\Lambda(y) - \lambda \qquad \text{at} \quad y = \lambda - \rho\, r(\lambda).
+//! $$
+//! </div>
+//!
+//! Nonsymmetric where pairs slip, so BiCGSTAB: two multiplications per inner iteration.
 
 use super::run::{Run, Step};
 use crate::operator::dual_operator::DualOperator;

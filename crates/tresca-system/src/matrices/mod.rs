@@ -1,11 +1,13 @@
 //! The solver for matrices that were assembled elsewhere: K, f, the contact rows N and T, gaps and friction
 //! in; displacements, contact forces, the state of every pair and a certificate out.
 //!
-//! ```text
-//! K u + Nᵀλν + Tᵀλτ = f                                   equilibrium
-//! N u ≤ d,  λν ≥ 0,  λνᵀ(N u − d) = 0                     no penetration, no adhesion
-//! ‖λτ,i‖ ≤ g_i,  slip only at the bound, against λτ       friction on T u
-//! ```
+//! <div>
+//! $$\begin{aligned}
+//! &amp;K u + N^T \lambda_\nu + T^T \lambda_\tau = f &amp;&amp; \text{equilibrium} \\
+//! &amp;N u \le d,\quad \lambda_\nu \ge 0,\quad \lambda_\nu^T (N u - d) = 0 &amp;&amp; \text{no penetration, no adhesion} \\
+//! &amp;\|\lambda_{\tau,i}\| \le g_i,\quad \text{slip only at the bound, against } \lambda_\tau &amp;&amp; \text{friction on } T u
+//! \end{aligned}$$
+//! </div>
 //!
 //! | | shape | meaning |
 //! |---|---|---|

@@ -36,6 +36,7 @@ impl Forces {
 /// Look at [`status`](Solution::status) first: the forces are always admissible, but only with
 /// [`Status::Converged`] are they a solution.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Solution {
     /// How the run ended.
     pub status: Status,

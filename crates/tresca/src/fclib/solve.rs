@@ -14,6 +14,7 @@ use super::residual::Residuals;
 
 /// A problem solved. Vectors stand in the order of the file: contact by contact, normal first.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Outcome {
     /// The law it was solved with.
     pub law: Law,

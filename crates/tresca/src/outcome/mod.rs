@@ -14,6 +14,7 @@ use crate::unresisted::UnresistedMotion;
 
 /// The result of one load step.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct StepOutcome {
     /// Number of the step, from 1.
     pub number: usize,
@@ -57,6 +58,7 @@ impl StepOutcome {
 
 /// The result of a run.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Outcome {
     /// Sizes, engine, factorisation.
     pub description: Description,
