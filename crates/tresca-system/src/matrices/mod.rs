@@ -46,7 +46,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`solve`] does it in one go. [`prepare`] factors once, and [`Prepared::solve`] then takes other loads, gaps
+//! [`solve`] does it in one go. [`prepare`] factors once, and [`PreparedProblem::solve`] then takes other loads, gaps
 //! and bounds: load steps. [`Dual`] is the same for those who have A, b and the bounds alone.
 
 mod bodies;

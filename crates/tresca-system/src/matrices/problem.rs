@@ -16,7 +16,7 @@ pub enum Kernel {
     Given(Vec<Vec<f64>>),
 }
 
-/// A contact problem as matrices. Whether they fit is checked by [`prepare`].
+/// A contact problem as matrices. Whether they fit is checked by [`prepare`](super::prepare).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// K: its diagonal blocks, in the order of the dofs.

@@ -1,7 +1,7 @@
 //! Problems of others: FCLIB and the text files of Siconos, solved by the methods of this project.
 //!
 //! The file formats are those of [`tresca_io::fclib`]; here a problem becomes a
-//! [`Dual`]. In the words of the file, u = W r + q with r the contact
+//! [`Dual`](tresca_system::matrices::Dual). In the words of the file, u = W r + q with r the contact
 //! forces; in ours, r(λ) = Aλ − b. So A is W and b is −q, up to the order: contact by contact in the
 //! file, all normals before all tangents in λ. Friction opposes sliding in both, and u_T = −c r_T with
 //! c ≥ 0 where a contact slips.
