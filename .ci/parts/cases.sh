@@ -13,4 +13,5 @@ for case in cases/*.toml; do
   fi
 done
 "$readers/python" scripts/check_results.py out/cases/* > /dev/null
+mkdir -p out
 "$readers/python" scripts/hysteresis.py out/cases/hysteresis pad out/hysteresis.png

@@ -8,6 +8,7 @@ rm -rf target/wheels
 "$package/pip" install --quiet "$(echo target/wheels/*.whl)[test,examples]"
 "$package/python" -m pytest --quiet
 export PYTHONWARNINGS=error
+mkdir -p out
 "$package/python" examples/python/two_bricks.py --nodes 9 --program target/release/tresca
 "$package/python" examples/python/load_cycle.py
 "$package/python" -W default examples/python/contact_map.py --out out/contact.png
