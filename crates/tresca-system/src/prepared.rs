@@ -171,7 +171,10 @@ impl Prepared {
         // No force acts where supports let nothing move; such a gap must not count as a residual.
         layout.immobile().for_each(|i| b[i] = 0.0);
         let coulomb = layout.coulomb(&case.slidings);
-        let set = load_case::set(layout, &case.slidings, &coulomb, start)?;
+        // Bounds of the forces before save a quarter of the multiplications of load cycles; where bodies float, they
+        // mislead: the bolt of the gallery's lap joint takes half as many again.
+        let guess = start.filter(|_| self.description.rigid_motions == 0);
+        let set = load_case::set(layout, &case.slidings, &coulomb, guess)?;
         self.dual.set_rhs(layout.dual(&b))?;
         self.dual.set_set(set)?;
         self.dual.set_coulomb(coulomb)?;
