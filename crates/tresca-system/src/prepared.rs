@@ -130,7 +130,13 @@ impl Prepared {
     ) -> Result<Solved, Unsolved> {
         let begin = Instant::now();
         let mu = start.map(|start| start.scaled(&self.layout, &case.slidings));
-        let load_energy = self.pose(case, mu.as_deref())?;
+        // What the caller brings is taken at its word. Slip bounds of the load case before save a quarter of the
+        // multiplications of load cycles; where bodies float, they mislead: the bolt of the gallery's lap joint takes
+        // half as many again.
+        let holds =
+            |start: &WarmStart| start.slidings.is_none() || self.description.rigid_motions == 0;
+        let guess = mu.as_deref().filter(|_| start.is_some_and(holds));
+        let load_energy = self.pose(case, guess)?;
         times.recovery += begin.elapsed().as_secs_f64();
         let start = mu.as_deref().zip(start);
         let start = start.map(|(lambda, start)| tresca_qcqp::Start {
@@ -156,8 +162,9 @@ impl Prepared {
     }
 
     /// Poses the dual problem: b = B u⁰ − c with u⁰ the displacement without contact (and obstacles where they
-    /// are in the step), c = \[d; where slip is counted from\], e = Rᵀf, and the slip bounds. Returns fᵀK⁺f.
-    fn pose(&mut self, case: &LoadCase, start: Option<&[f64]>) -> Result<f64, QcqpError> {
+    /// are in the step), c = \[d; where slip is counted from\], e = Rᵀf, and the slip bounds, which begin at those of
+    /// the forces `guess`. Returns fᵀK⁺f.
+    fn pose(&mut self, case: &LoadCase, guess: Option<&[f64]>) -> Result<f64, QcqpError> {
         let layout = &self.layout;
         let nothing = vec![0.0; layout.unknowns()];
         let loads = &case.loads;
@@ -171,9 +178,6 @@ impl Prepared {
         // No force acts where supports let nothing move; such a gap must not count as a residual.
         layout.immobile().for_each(|i| b[i] = 0.0);
         let coulomb = layout.coulomb(&case.slidings);
-        // Bounds of the forces before save a quarter of the multiplications of load cycles; where bodies float, they
-        // mislead: the bolt of the gallery's lap joint takes half as many again.
-        let guess = start.filter(|_| self.description.rigid_motions == 0);
         let set = load_case::set(layout, &case.slidings, &coulomb, guess)?;
         self.dual.set_rhs(layout.dual(&b))?;
         self.dual.set_set(set)?;
