@@ -77,6 +77,8 @@ pub(crate) struct Ending {
     pub multiplier: Vec<f64>,
     pub equality_residual: f64,
     pub motion: Option<Vec<f64>>,
+    /// y, the proof that constraints contradict each other.
+    pub contradiction: Option<Vec<f64>>,
     pub outer_iterations: usize,
     pub outer_residual: f64,
 }
@@ -111,6 +113,7 @@ impl Ending {
             active_set: self.active,
             multiplier: self.multiplier,
             motion: self.motion,
+            contradiction: self.contradiction,
             records: journal.records,
         }
     }

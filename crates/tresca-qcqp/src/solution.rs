@@ -32,6 +32,10 @@ pub struct DualSolution {
     /// With [`Status::NoEquilibrium`] the proof, of unit length: a motion v with eᵀv > λᵀGᵀv for all
     /// λ ∈ Λ. The load drives it, and no admissible contact force can stop it.
     pub motion: Option<Vec<f64>>,
+    /// With [`Status::Infeasible`] the proof, of unit length: contact forces y that no sets limit, in the dual
+    /// cone of the constraints, with Ay = 0 (and Gy = 0) and bᵀy > 0. Along y the dual objective falls
+    /// without end; no displacement can satisfy the constraints whose entries in y are not zero.
+    pub contradiction: Option<Vec<f64>>,
     /// One record per iteration, and one for each start.
     pub records: Vec<IterationRecord>,
 }

@@ -26,6 +26,12 @@ pub enum Status {
     /// that can only pull, or friction that is not there;
     /// [`DualSolution::motion`](crate::DualSolution::motion) is the rigid motion that nothing resists.
     NoEquilibrium,
+    /// The constraints contradict each other: no displacement satisfies them all.
+    /// [`DualSolution::contradiction`](crate::DualSolution::contradiction) is the proof.
+    Infeasible,
+    /// The method met its tolerance, but the answer, as it is handed out, fails its certificate: rounding
+    /// leaves it undetermined. What the certificate says is what holds.
+    Inaccurate,
     /// Coulomb's law: the bounds return to former values, over and over.
     CoulombCycles,
     /// Coulomb's law: the changes of the bounds no longer fall, though no cycle is seen.
@@ -47,6 +53,8 @@ impl Status {
             Status::Interrupted => "interrupted",
             Status::Diverged => "diverged",
             Status::NoEquilibrium => "no_equilibrium",
+            Status::Infeasible => "infeasible",
+            Status::Inaccurate => "inaccurate",
             Status::CoulombCycles => "coulomb_cycles",
             Status::CoulombDiverges => "coulomb_diverges",
         }
