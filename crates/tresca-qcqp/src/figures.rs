@@ -29,6 +29,9 @@ pub struct Figures {
     /// g those that λ was computed under, and (fixed point) ‖λ − λ'‖/‖λ‖, λ' of the outer
     /// iteration before. 0 without Coulomb's law.
     pub outer_residual: f64,
+    /// Steps of the proximal point method, which takes over where A is singular and the method fails; their
+    /// Newton iterations are among `iterations`. 0 otherwise.
+    pub proximal_steps: usize,
     /// q(λ) = ½ λᵀAλ − λᵀb.
     #[serde(rename = "dual_objective")]
     pub objective: f64,

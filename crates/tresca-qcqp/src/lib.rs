@@ -78,6 +78,7 @@ pub mod record;
 mod session;
 pub mod sets;
 mod settings;
+mod singular;
 mod solution;
 mod solve;
 mod spectrum;

@@ -25,6 +25,7 @@ pub struct DualProblem<'a> {
     pub(crate) law: CoulombLaw,
     pub(crate) balance: Option<Balance>,
     pub(crate) memory: Option<OperatorMemory>,
+    pub(crate) singular: bool,
 }
 
 impl<'a> DualProblem<'a> {
@@ -47,6 +48,7 @@ impl<'a> DualProblem<'a> {
             law: CoulombLaw::default(),
             balance: None,
             memory: None,
+            singular: false,
         })
     }
 
@@ -109,6 +111,13 @@ impl<'a> DualProblem<'a> {
     /// When its length differs or it is not finite.
     pub fn set_equality_rhs(&mut self, rhs: &[f64]) -> Result<(), QcqpError> {
         self.balance.as_mut().map_or(Ok(()), |b| b.set_load(rhs))
+    }
+
+    /// Says whether A is known to be singular, which a small explicit A shows by itself. Blocks of it are then
+    /// factored a little off, so that of all solutions a short one is found, and methods without a guarantee are
+    /// followed by proximal steps where they fail.
+    pub fn set_singular(&mut self, singular: bool) {
+        self.singular = singular;
     }
 
     /// Forgets what earlier solves have learnt about A, so that the next one counts as the first.

@@ -60,8 +60,10 @@ pub fn solve(
         law,
         balance,
         memory,
+        singular,
     } = problem;
     let memory = OperatorMemory::of(memory, &mut **operator)?;
+    let singular = *singular || memory.singular;
     journal.n_a_setup = operator.tally().count - before.count;
     let mut session = Session {
         operator: &mut **operator,
@@ -69,6 +71,8 @@ pub fn solve(
         settings,
         observer,
         journal,
+        singular,
+        proximal_steps: 0,
     };
     let frictional = Frictional {
         rhs,

@@ -6,15 +6,16 @@ use crate::newton::operator_memory::OperatorMemory;
 use crate::settings::Method;
 use crate::status::Status;
 
-/// Runs the method of the settings; `capacity` is the number of products worth keeping.
+/// Runs the method; `capacity` is the number of products worth keeping.
 pub(crate) fn run(
     run: &mut Run,
+    method: Method,
     memory: &mut OperatorMemory,
     capacity: usize,
     start: Option<&[f64]>,
 ) -> Status {
     let start = run.start(start);
-    match run.settings.method {
+    match method {
         Method::Ssn => ssn::run(run, start),
         Method::Mssn => mssn::run(run, start),
         Method::Imssn => imssn::run(run, start),

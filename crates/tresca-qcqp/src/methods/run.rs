@@ -18,6 +18,8 @@ use tresca_la::vector::norm;
 /// Iterations without progress after which bounds that follow every Newton step are given up for the fixed
 /// point. Where the loop does well it needs about this many in all.
 const PATIENCE_IN_LOOP: usize = 6;
+/// Part of the reference that rounding in a product may be.
+const DROWNED: f64 = 1e-6;
 
 /// How an iterate was reached.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +64,8 @@ pub(crate) struct Run<'a> {
     pub rhs: &'a [f64],
     pub set: ProductSet,
     pub settings: &'a Settings,
+    /// Steps of all inner problems together after which this run ends.
+    pub most_steps: usize,
     /// On the relative reduced gradient of this inner problem.
     pub tolerance: f64,
     /// Upper estimate of σmax.
@@ -98,6 +102,7 @@ impl<'a> Run<'a> {
             rhs: inner.rhs,
             set: inner.set.clone(),
             settings,
+            most_steps: settings.max_iterations,
             tolerance: inner.tolerance,
             sigma,
             rho: settings.rho / sigma,
@@ -118,9 +123,7 @@ impl<'a> Run<'a> {
 
     /// ‖r̃(0)‖ for the present Λ, without the multiplier's share of b.
     fn reference_of_set(&self) -> f64 {
-        let zero = Point::zero(self.inner.own_rhs);
-        let (norm, _) = reduced_gradient(&self.set, &zero, 1.0 / self.sigma);
-        norm.max(self.inner.least_reference)
+        reference(&self.inner, &self.set, self.sigma)
     }
 
     /// The start, projected; 0 if none is given, which costs no multiplication.
@@ -255,12 +258,17 @@ impl<'a> Run<'a> {
         self.iterations += 1;
 
         if relative <= self.tolerance && bounds_change <= self.settled() {
-            Some(Status::Converged)
+            // A λ so long that its product is rounding solves nothing.
+            if drowned(&*self.operator, self.sigma, point, self.reference) {
+                Some(Status::Diverged)
+            } else {
+                Some(Status::Converged)
+            }
         } else if stop {
             Some(Status::Interrupted)
         } else if iteration - self.last_progress >= self.patience() {
             Some(Status::Stagnated)
-        } else if self.journal.steps() >= self.settings.max_iterations {
+        } else if self.journal.steps() >= self.most_steps {
             Some(Status::IterationLimit)
         } else {
             None
@@ -341,6 +349,41 @@ impl<'a> Run<'a> {
         }
         ending(status, chosen, set, self.reference)
     }
+}
+
+/// ‖r̃(0)‖ for a Λ, without the multiplier's share of b.
+fn reference(inner: &Inner, set: &ProductSet, sigma: f64) -> f64 {
+    let zero = Point::zero(inner.own_rhs);
+    let (norm, _) = reduced_gradient(set, &zero, 1.0 / sigma);
+    norm.max(inner.least_reference)
+}
+
+/// Whether rounding in Aλ alone may be more than [`DROWNED`] of the reference: no residual means anything then.
+pub(crate) fn drowned(
+    operator: &dyn DualOperator,
+    sigma: f64,
+    point: &Point,
+    reference: f64,
+) -> bool {
+    let rounding = operator.accuracy() * sigma * norm(&point.lambda);
+    reference > 0.0 && rounding > DROWNED * reference
+}
+
+/// A point as the end of an inner problem, with the status left to the caller.
+pub(crate) fn ending_of(point: Point, inner: &Inner, sigma: f64) -> Ending {
+    let reference = reference(inner, inner.set, sigma);
+    let (norm, active) = reduced_gradient(inner.set, &point, 1.0 / sigma);
+    let relative = relative(norm, reference);
+    let judged = Judged {
+        active,
+        relative,
+        objective: objective(&point, inner.rhs),
+        point,
+        bounds_change: 0.0,
+        bounds: Vec::new(),
+        figure: relative,
+    };
+    ending(Status::Stagnated, judged, inner.set.clone(), reference)
 }
 
 /// The end at λ = 0 of a problem whose reduced gradient vanishes there. Costs no multiplication.

@@ -5,12 +5,15 @@ use super::recycled_products::RecycledProducts;
 use crate::error::QcqpError;
 use crate::operator::dual_operator::DualOperator;
 use crate::operator::local_model::LocalModel;
+use crate::singular::rank::is_singular;
 use crate::spectrum::{self, Spectrum};
 use tresca_la::vector::dot;
 
 /// The estimate of σmax, and what preconditions Newton systems.
 pub(crate) struct OperatorMemory {
     pub spectrum: Spectrum,
+    /// A is small, explicit and singular.
+    pub singular: bool,
     newton: Option<NewtonMemory>,
 }
 
@@ -23,9 +26,10 @@ pub(crate) struct NewtonMemory {
 }
 
 impl OperatorMemory {
-    fn new(spectrum: Spectrum) -> Self {
+    fn new(spectrum: Spectrum, singular: bool) -> Self {
         Self {
             spectrum,
+            singular,
             newton: None,
         }
     }
@@ -40,7 +44,10 @@ impl OperatorMemory {
     ) -> Result<&'m mut Self, QcqpError> {
         match kept {
             Some(memory) => Ok(memory),
-            none => Ok(none.insert(Self::new(spectrum::estimate(operator)?))),
+            none => {
+                let spectrum = spectrum::estimate(operator)?;
+                Ok(none.insert(Self::new(spectrum, is_singular(operator))))
+            }
         }
     }
 

@@ -288,5 +288,10 @@ fn factor(
         InnerSolver::Direct => true,
     };
     let matrix = operator.explicit().filter(|_| wanted && space.dim() > 0)?;
-    Llt::new(space.assemble(matrix).as_ref(), Side::Lower).ok()
+    let mut block = space.assemble(matrix);
+    let shift = operator.shift_of_factors();
+    if shift > 0.0 {
+        (0..space.dim()).for_each(|i| block[(i, i)] += shift);
+    }
+    Llt::new(block.as_ref(), Side::Lower).ok()
 }

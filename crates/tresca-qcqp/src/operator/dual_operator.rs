@@ -50,6 +50,11 @@ pub trait DualOperator: Send {
         None
     }
 
+    /// What is added to the diagonal of a block of A before it is factored: more than 0 where A is singular.
+    fn shift_of_factors(&self) -> f64 {
+        0.0
+    }
+
     /// What a product may be wrong by, relative to σmax ‖x‖ and as its solvers state it. The default says: as
     /// exact as rounding allows.
     fn accuracy(&self) -> f64 {

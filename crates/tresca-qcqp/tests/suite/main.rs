@@ -9,6 +9,7 @@ mod equality;
 mod operators;
 mod outcomes;
 mod sets;
+mod singular;
 mod tangent;
 mod theory;
 mod work;
