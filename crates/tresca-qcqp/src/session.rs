@@ -116,7 +116,11 @@ impl Session<'_> {
     fn first_share(&self) -> usize {
         let done = self.journal.steps();
         let left = self.settings.max_iterations.saturating_sub(done);
-        done + left.min(FEW).max(left / 2)
+        if self.singular {
+            done + left.min(FEW)
+        } else {
+            done + left.min(FEW).max(left / 2)
+        }
     }
 
     /// Whether proximal steps follow where the method of the settings fails. Methods without a guarantee may fail

@@ -24,9 +24,14 @@ use tresca_la::vector::axpy;
 const FIRST: f64 = 1e-6;
 const FALLING: f64 = 0.1;
 const LEAST: f64 = 1e-11;
+/// The factor after a step that was not solved, and the largest ε: with it every step is easy.
+const RISING: f64 = 100.0;
+const MOST: f64 = 1e-1;
 /// Part of the tolerance that a step is solved to.
 const SHARE: f64 = 0.1;
-const MAX_STEPS: usize = 30;
+const MAX_STEPS: usize = 100;
+/// Newton steps that one of them gets.
+const STEPS_EACH: usize = 100;
 
 /// Solves the inner problem by proximal steps, each by GRSSN.
 pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>) -> Ending {
@@ -34,6 +39,7 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
     let mut centre = start.map_or_else(|| vec![0.0; inner.rhs.len()], <[f64]>::to_vec);
     inner.set.project(&mut centre);
     let mut shift = FIRST * sigma;
+    let limit = session.settings.max_iterations;
     let mut best: Option<Ending> = None;
     let mut diverged = false;
     for _ in 0..MAX_STEPS {
@@ -50,7 +56,7 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
                 products: shift,
                 factors: shift,
             },
-            most_steps: session.settings.max_iterations,
+            most_steps: limit.min(session.journal.steps() + STEPS_EACH),
         };
         let end = session.attempt(&step, Some(&centre), attempt);
         session.proximal_steps += 1;
@@ -64,8 +70,7 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
         let point = Point { lambda, gradient };
         centre.clone_from(&point.lambda);
         let mut ending = run::ending_of(point, inner, sigma);
-        let over =
-            session.journal.stop || session.journal.steps() >= session.settings.max_iterations;
+        let over = session.journal.stop || session.journal.steps() >= limit;
         if ending.relative <= inner.tolerance
             && !run::drowned(&*session.operator, sigma, &ending.point, ending.reference)
         {
@@ -91,7 +96,11 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
             diverged = broken;
             break;
         }
-        shift = f64::max(FALLING * shift, LEAST * sigma);
+        shift = if end_status == Status::Converged {
+            f64::max(FALLING * shift, LEAST * sigma)
+        } else {
+            f64::min(RISING * shift, MOST * sigma)
+        };
     }
     let mut ending = best.unwrap_or_else(|| run::ending_of(Point::zero(inner.rhs), inner, sigma));
     ending.status = if session.journal.stop {

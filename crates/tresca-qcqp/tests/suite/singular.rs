@@ -1,9 +1,10 @@
 //! Singular A: rows that repeat, that depend on each other, that contradict each other.
 
 use crate::common::{Plain, dot, norm, settings};
+use faer::Mat;
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
-use tresca_qcqp::sets::{Block, BlockSet, HalfLine, Line};
+use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine, Line};
 use tresca_qcqp::{Method, ProductSet, Status};
 
 fn half_lines(count: usize) -> ProductSet {
@@ -151,4 +152,86 @@ fn proves(plain: &Plain, y: &[f64]) {
     assert!((norm(y) - 1.0).abs() < 1e-12);
     assert!(norm(&plain.mul(y)) < 1e-10);
     assert!(dot(&plain.b, y) > 1e-9 * norm(&plain.b));
+}
+
+/// A of low rank with a condition of up to 1e5 in its range, b in the range, forces over twelve decades.
+fn low_rank(seed: u64, glued: bool) -> Plain {
+    let mut rng = StdRng::seed_from_u64(seed);
+    let pairs = rng.random_range(1..25);
+    let order = 3 * pairs;
+    let rank = rng.random_range(f64::max(1.0, order as f64 / 3.0) as usize..=order);
+    let scale = 10_f64.powf(rng.random_range(-6.0..6.0));
+    let force = 10_f64.powf(rng.random_range(-6.0..6.0));
+    let condition = rng.random_range(0.5..5.0);
+    let random = Mat::from_fn(order, order, |_, _| rng.random_range(-1.0..1.0));
+    let q = random.qr().compute_Q();
+    let e: Vec<f64> = (0..rank)
+        .map(|_| 10_f64.powf(rng.random_range(-condition..0.0)))
+        .collect();
+    let entry = |i: usize, j: usize| {
+        let sum: f64 = (0..rank).map(|k| q[(i, k)] * e[k] * q[(j, k)]).sum();
+        scale * sum
+    };
+    let a: Vec<Vec<f64>> = (0..order)
+        .map(|i| (0..order).map(|j| entry(i.max(j), i.min(j))).collect())
+        .collect();
+    let x: Vec<f64> = (0..order)
+        .map(|_| force * rng.random_range(-1.0..1.0))
+        .collect();
+    let b: Vec<f64> = a.iter().map(|row| dot(row, &x)).collect();
+    let mut blocks = Vec::new();
+    for pair in 0..pairs {
+        let tied = glued && rng.random_range(0.0..1.0) < 0.5;
+        let bound = force * 10_f64.powf(rng.random_range(-2.0..1.0));
+        let start = 3 * pair;
+        let normal = if tied {
+            BlockSet::Line(Line)
+        } else {
+            BlockSet::HalfLine(HalfLine)
+        };
+        blocks.push(Block { start, set: normal });
+        if tied {
+            blocks.extend([1, 2].map(|k| Block {
+                start: start + k,
+                set: BlockSet::Line(Line),
+            }));
+        } else {
+            blocks.push(Block {
+                start: start + 1,
+                set: BlockSet::Disc(Disc { bound }),
+            });
+        }
+    }
+    Plain {
+        a,
+        b,
+        set: ProductSet::new(order, blocks).unwrap(),
+    }
+}
+
+#[test]
+fn a_of_low_rank_is_solved() {
+    for seed in 0..300 {
+        let plain = low_rank(seed, seed % 2 == 0);
+        for method in [Method::Grssn, Method::Apgd] {
+            let settings = tresca_qcqp::Settings {
+                max_iterations: 1000,
+                ..settings(method, 1e-8)
+            };
+            let solution = plain.solve(&settings, None);
+            if method == Method::Apgd && solution.status == Status::IterationLimit {
+                continue;
+            }
+            assert_eq!(
+                solution.status,
+                Status::Converged,
+                "{method}, seed {seed}: {:e} {}",
+                solution.figures.relative_reduced_gradient,
+                solution.figures.proximal_steps
+            );
+            let seen =
+                plain.relative_reduced_gradient(&solution.lambda, 1.0 / solution.figures.sigma_max);
+            assert!(seen < 2e-8, "{method}, seed {seed}: {seen:e}");
+        }
+    }
 }
