@@ -15,6 +15,7 @@
 
 pub mod body;
 pub mod certificate;
+pub mod contradiction;
 pub mod description;
 mod ellipse;
 pub mod engine;

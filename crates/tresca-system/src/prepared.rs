@@ -8,6 +8,7 @@ use tresca_la::vector::dot;
 use tresca_qcqp::{DualProblem, DualSolution, QcqpError, Settings, Status};
 
 use crate::body::{Body, add_motions, at_rest, load_on_motions};
+use crate::contradiction::Contradiction;
 use crate::description::{Description, EngineChoice, Times};
 use crate::engine::dual_problem;
 use crate::factors::Factors;
@@ -187,8 +188,17 @@ impl Prepared {
         Ok(energy)
     }
 
-    fn recover(&self, case: &LoadCase, solution: DualSolution, load_energy: f64) -> Solved {
-        let displacements = if solution.status == Status::NoEquilibrium {
+    fn recover(&self, case: &LoadCase, mut solution: DualSolution, load_energy: f64) -> Solved {
+        let proof = solution.contradiction.as_deref();
+        let contradiction = proof
+            .and_then(|mu| Contradiction::confirmed(&self.layout, &self.bodies, case, mu));
+        if solution.status == Status::Infeasible && contradiction.is_none() {
+            // The rows only nearly depend on each other.
+            solution.status = Status::Inaccurate;
+            solution.contradiction = None;
+        }
+        let nowhere = matches!(solution.status, Status::NoEquilibrium | Status::Infeasible);
+        let displacements = if nowhere {
             // There is no displacement; the supports alone are where they should be.
             at_rest(&self.bodies)
         } else {
@@ -228,6 +238,7 @@ impl Prepared {
             displacements,
             relative,
             unresisted,
+            contradiction,
         };
         Solved::new(
             &self.layout,

@@ -4,6 +4,7 @@ use tresca_contact::Sliding;
 use tresca_qcqp::{DualSolution, Status};
 
 use crate::certificate::Certificate;
+use crate::contradiction::Contradiction;
 use crate::layout::Layout;
 use crate::load_case::{LoadCase, WarmStart};
 use crate::measures::{Elastic, Interface, Pairs};
@@ -17,7 +18,7 @@ use crate::measures::{Elastic, Interface, Pairs};
 pub struct Solved {
     /// Status, figures, iteration records; its vectors are in the solver's unknowns μ.
     pub dual: DualSolution,
-    /// u of each body over its free dofs; zero with [`Status::NoEquilibrium`], no body for a pure dual form.
+    /// u of each body over its free dofs; zero with [`Status::NoEquilibrium`] and [`Status::Infeasible`], no body for a pure dual form.
     pub displacements: Vec<Vec<f64>>,
     /// λ = \[λν (m); λτ ((d−1) m)\], the contact forces.
     pub forces: Vec<f64>,
@@ -36,6 +37,8 @@ pub struct Solved {
     /// With [`Status::NoEquilibrium`]: a motion of the floating bodies which nothing resists enough, over their
     /// free dofs, the largest entry 1.
     pub unresisted: Option<Vec<Vec<f64>>>,
+    /// With [`Status::Infeasible`]: the pairs whose constraints contradict each other.
+    pub contradiction: Option<Contradiction>,
     /// The laws that held.
     slidings: Vec<Sliding>,
 }
@@ -50,6 +53,7 @@ pub(crate) struct Measured {
     /// The dual energy; `None`: equilibrium holds by construction, and the gap follows from the pairs alone.
     pub dual_energy: Option<f64>,
     pub unresisted: Option<Vec<Vec<f64>>>,
+    pub contradiction: Option<Contradiction>,
 }
 
 impl Solved {
@@ -69,6 +73,7 @@ impl Solved {
             length,
             dual_energy,
             unresisted,
+            contradiction,
         } = measured;
         let forces = layout.forces(&dual.lambda);
         let since: Vec<f64> = relative.iter().zip(origin).map(|(r, o)| r - o).collect();
@@ -93,6 +98,7 @@ impl Solved {
             forces,
             relative,
             unresisted,
+            contradiction,
         }
     }
 

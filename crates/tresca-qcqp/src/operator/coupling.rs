@@ -83,6 +83,18 @@ impl Coupling {
         }
     }
 
+    /// v ← v + |B_i|ᵀ |λ|: what the sums of [`add_transposed_product`](Self::add_transposed_product) are made of.
+    ///
+    /// # Panics
+    /// When λ has more entries than there are rows, or v fewer than there are dofs.
+    pub fn add_transposed_sizes(&self, lambda: &[f64], v: &mut [f64]) {
+        for (i, &l) in lambda.iter().enumerate().filter(|(_, l)| **l != 0.0) {
+            for (j, b) in self.row(i) {
+                v[j] += (b * l).abs();
+            }
+        }
+    }
+
     /// out ← out + B_i v.
     ///
     /// # Panics

@@ -12,6 +12,7 @@ use super::friction::{Friction, Law};
 use super::note::Note;
 use super::operator::{Function, Matrix, Operator, Scaling};
 use super::solution::{Forces, Solution};
+use crate::contradiction::Contradiction;
 use crate::description::Times;
 use crate::layout::Layout;
 use crate::load_case;
@@ -185,6 +186,9 @@ fn recover(
     };
     let nothing = vec![0.0; mu.len()];
     let gaps = &nothing[..layout.pair_count()];
+    let proof = solution.contradiction.as_deref();
+    let minus: Vec<f64> = rhs.iter().map(|b| -b).collect();
+    let contradiction = proof.map(|y| Contradiction::new(layout, layout.forces(y), &minus));
     let measured = Measured {
         displacements: Vec::new(),
         length: largest(&relative).max(largest(rhs)),
@@ -192,6 +196,7 @@ fn recover(
         elastic,
         dual_energy: None,
         unresisted: None,
+        contradiction,
     };
     Solved::new(layout, gaps, slidings, &nothing, solution, measured)
 }

@@ -77,7 +77,8 @@ pub fn prepare(
         )?;
     }
     let dependent = rank::dependent_rows(&b);
-    if !dependent.is_empty() {
+    let singular = !dependent.is_empty();
+    if singular {
         let rows = dependent
             .into_iter()
             .map(|row| check::named(row, m))
@@ -133,7 +134,8 @@ pub fn prepare(
         factorization: clock.elapsed().as_secs_f64(),
         ..Times::default()
     };
-    let system = Prepared::new(parts, times)?;
+    let mut system = Prepared::new(parts, times)?;
+    system.dual().set_singular(singular);
     progress.problem(system.description());
     Ok(PreparedProblem {
         dofs: body_dofs,

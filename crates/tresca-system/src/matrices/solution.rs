@@ -4,6 +4,7 @@ use tresca_qcqp::{Figures, IterationRecord, Settings, StateCounts, Status};
 
 use super::note::Note;
 use crate::certificate::Certificate;
+use crate::contradiction::Contradiction;
 use crate::description::{Description, Times};
 use crate::layout::Layout;
 use crate::load_case::WarmStart;
@@ -40,7 +41,7 @@ impl Forces {
 pub struct Solution {
     /// How the run ended.
     pub status: Status,
-    /// u, length n. Zero with [`Status::NoEquilibrium`]; empty for the pure dual form.
+    /// u, length n. Zero with [`Status::NoEquilibrium`] and [`Status::Infeasible`]; empty for the pure dual form.
     pub displacement: Vec<f64>,
     /// λν, length m, positive in compression; negative only for pairs that never open.
     pub normal_force: Vec<f64>,
@@ -71,6 +72,8 @@ pub struct Solution {
     /// With [`Status::NoEquilibrium`]: a motion of the parts that float which nothing resists enough, over
     /// all dofs, the largest entry 1.
     pub unresisted_motion: Option<Vec<f64>>,
+    /// With [`Status::Infeasible`]: the pairs whose constraints contradict each other.
+    pub contradiction: Option<Contradiction>,
     /// What the user should know about the input.
     pub notes: Vec<Note>,
     /// Sizes, engine, factorisation; `None` for the pure dual form.
@@ -92,6 +95,7 @@ impl Solution {
             normal_force: solved.normal_forces().to_vec(),
             tangential_force: solved.tangential_forces().to_vec(),
             slip: solved.slip().to_vec(),
+            contradiction: solved.contradiction,
             closed: solved.closed,
             stick: solved.stick,
             gap: solved.gaps,
