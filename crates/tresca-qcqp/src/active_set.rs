@@ -29,7 +29,7 @@ impl ActiveSet {
         let mut counts = StateCounts::default();
         for (block, state) in blocks.iter().zip(&states) {
             match (block.set, state) {
-                (BlockSet::Line(_) | BlockSet::Point(_), _) => {}
+                (BlockSet::Line(_) | BlockSet::Origin(_), _) => {}
                 (BlockSet::HalfLine(_), BlockState::Free) => counts.closed += 1,
                 (BlockSet::HalfLine(_), BlockState::Bound) => counts.open += 1,
                 (BlockSet::Interval(_) | BlockSet::Disc(_), BlockState::Free) => counts.stick += 1,

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use tresca_qcqp::{Engine, Settings};
-use tresca_system::body::{Body, FactorFailure};
+use tresca_system::body::{FactorFailure, SystemBody};
 use tresca_system::description::{Description, Times};
 use tresca_system::engine::choose_engine;
 use tresca_system::factors::Factors;
@@ -135,7 +135,7 @@ impl PreparedModel<'_> {
     }
 
     /// The bodies as linear algebra; their factors go.
-    pub fn into_bodies(self) -> Vec<Body> {
+    pub fn into_bodies(self) -> Vec<SystemBody> {
         self.system.into_bodies()
     }
 

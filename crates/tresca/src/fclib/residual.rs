@@ -1,10 +1,10 @@
 //! How far forces and velocities are from solving a problem.
 
 use serde::Serialize;
-use tresca_io::fclib::Problem;
+use tresca_io::fclib::FclibProblem;
 use tresca_la::vector::{dot, norm};
 
-use super::law::Law;
+use super::law::FclibLaw;
 use super::reduced::{Reduced, place};
 
 /// Residuals of the natural map r − P_K(r − ρ û), K the product of the friction cones and
@@ -23,8 +23,8 @@ pub struct Residuals {
 
 impl Residuals {
     pub(super) fn new(
-        problem: &Problem,
-        law: Law,
+        problem: &FclibProblem,
+        law: FclibLaw,
         reduced: &Reduced,
         forces: &[f64],
         velocities: &[f64],
@@ -57,7 +57,13 @@ impl Residuals {
 }
 
 /// ‖r − P_K(r − ρ û)‖.
-fn natural_map(problem: &Problem, law: Law, forces: &[f64], velocities: &[f64], rho: f64) -> f64 {
+fn natural_map(
+    problem: &FclibProblem,
+    law: FclibLaw,
+    forces: &[f64],
+    velocities: &[f64],
+    rho: f64,
+) -> f64 {
     let dimension = problem.dimension();
     let contacts = forces
         .chunks(dimension)
@@ -66,14 +72,14 @@ fn natural_map(problem: &Problem, law: Law, forces: &[f64], velocities: &[f64], 
     let mut sum = 0.0;
     for ((r, u), &friction) in contacts {
         let shift = match law {
-            Law::Coulomb => friction * norm(&u[1..]),
-            Law::Tresca { .. } => 0.0,
+            FclibLaw::Coulomb => friction * norm(&u[1..]),
+            FclibLaw::Tresca { .. } => 0.0,
         };
         let mut y: Vec<f64> = r.iter().zip(u).map(|(r, u)| r - rho * u).collect();
         y[0] -= rho * shift;
         match law {
-            Law::Coulomb => project_on_cone(&mut y, friction),
-            Law::Tresca { bound } => project_on_cylinder(&mut y, bound),
+            FclibLaw::Coulomb => project_on_cone(&mut y, friction),
+            FclibLaw::Tresca { bound } => project_on_cylinder(&mut y, bound),
         }
         sum += r.iter().zip(&y).map(|(r, y)| (r - y).powi(2)).sum::<f64>();
     }
