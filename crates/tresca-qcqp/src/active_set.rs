@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// How many blocks are in which state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct StateCounts {
     /// Half-lines at 0.
     pub open: usize,

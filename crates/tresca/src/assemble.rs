@@ -24,6 +24,7 @@ use tresca_model::{Contact, Model, Partner, Place};
 
 /// A body between its mesh and its matrices.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct MeshedBody {
     /// Which full dofs are free.
     pub dofs: DofMap,
@@ -35,6 +36,7 @@ pub struct MeshedBody {
 
 /// What ties the model to its matrices: the dofs, and the pairs with their frames, gaps and areas.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Assembled {
     /// One per body.
     pub bodies: Vec<MeshedBody>,

@@ -33,12 +33,10 @@ pub(crate) fn balance(
     rigid.iter_mut().zip(u).for_each(|(k, u)| *k *= u);
     let rounding = ROUNDING_OF_FORCES * nodes(&dofs.expand(&rigid));
     let magnitude = scale(forces.max(rounding));
-    BodyBalance {
-        name: body.name.clone(),
-        force: total(|part| part.force) / magnitude,
-        moment: total(|part| part.moment) / (magnitude * bounds.diagonal()),
-        load: resultants[0].force,
-        contact: resultants[1].force,
-        reaction: resultants[2].force,
-    }
+    BodyBalance::new(
+        body.name.clone(),
+        resultants.map(|part| part.force),
+        total(|part| part.force) / magnitude,
+        total(|part| part.moment) / (magnitude * bounds.diagonal()),
+    )
 }

@@ -12,6 +12,7 @@ use super::placement::Placement;
 
 /// A surface that does not deform; in the plane, a curve.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SurfaceMesh {
     /// Coordinates (length); in the plane the third is 0.
     pub points: Vec<[f64; 3]>,

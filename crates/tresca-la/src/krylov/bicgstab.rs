@@ -22,6 +22,7 @@ pub enum BicgstabOutcome {
 
 /// What the method did.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct BicgstabRecord {
     /// Why it stopped.
     pub outcome: BicgstabOutcome,

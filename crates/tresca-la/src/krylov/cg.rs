@@ -159,6 +159,7 @@ pub enum CgOutcome {
 
 /// What [`solve`] did.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct CgRecord {
     /// Why it stopped.
     pub outcome: CgOutcome,

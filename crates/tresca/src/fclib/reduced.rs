@@ -30,6 +30,7 @@ pub(super) struct Reduced {
 
 /// What W is like.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct MatrixFacts {
     /// Its order.
     pub unknowns: usize,

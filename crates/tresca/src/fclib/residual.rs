@@ -11,6 +11,7 @@ use super::reduced::{Reduced, place};
 /// û = u + μ‖u_T‖ n (De Saxcé); with Tresca's law K is the product of half-lines and discs and û = u.
 /// Zero exactly at a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Residuals {
     /// With ρ = 1, relative to ‖q‖ (absolute where q = 0), as Siconos measures; depends on units.
     pub siconos: f64,

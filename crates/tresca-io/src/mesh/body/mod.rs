@@ -22,6 +22,7 @@ const SAME_PLACE: f64 = 1e-9;
 
 /// The mesh of a body with what was noticed on the way.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct BodyMesh {
     /// Nodes are numbered without gaps, in the order of the file; cells block by block, in each in
     /// the order of the file. Surface groups that have faces on this body are face sets; point,
