@@ -24,7 +24,7 @@
 //!
 //! ```
 //! use tresca_qcqp::Settings;
-//! use tresca_system::matrices::{PairLaw, Matrix, MatrixProblem, solve};
+//! use tresca_system::matrices::{Matrix, MatrixProblem, PairLaw, solve};
 //! use tresca_system::progress::Silent;
 //!
 //! // A mass on two springs (1 N/m along the normal, 2 N/m along the tangent), 0.5 m above a rough wall.

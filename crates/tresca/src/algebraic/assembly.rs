@@ -12,7 +12,6 @@ use crate::load_step::acting;
 
 /// The assembled problem of a model, and what its numbers belong to.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Assembly {
     /// K (one block per body), N, T, f, d, friction, over the dofs that no support holds.
     pub problem: MatrixProblem,

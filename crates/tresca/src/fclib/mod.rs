@@ -11,7 +11,7 @@
 //!
 //! ```
 //! use tresca::{Settings, Silent, fclib};
-//! use fclib::{FclibLaw, LocalProblem, FclibMatrix, FclibProblem};
+//! use fclib::{FclibLaw, FclibMatrix, FclibProblem, LocalProblem};
 //!
 //! // A block pressed down with 1 and pulled aside with 2: W = I, u without forces is q.
 //! let identity = FclibMatrix::new(3, 3, (0..3).map(|i| (i, i, 1.0)).collect())?;
