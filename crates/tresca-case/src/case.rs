@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
-use tresca_io::located::{Place, Position, SourceText, Span};
+use tresca_io::located::{FilePlace, Position, SourceText, Span};
 use tresca_model::{Model, Subject};
 use tresca_qcqp::{QcqpError, Settings};
 
@@ -191,7 +191,7 @@ fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> CaseError {
     let message = format!(
         "the case file `{name}` is not UTF-8 text: line {line}, column {column} holds the byte 0x{byte:02x}"
     );
-    let place = Place {
+    let place = FilePlace {
         path: path.to_owned(),
         position: Position::LineColumn(line, column),
     };

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fmt;
 use std::io;
 
-use tresca_io::located::{Fact, Located, Place, SourceText, Span};
+use tresca_io::located::{Fault, FilePlace, Located, SourceText, Span};
 
 /// Why a case file was refused, and where. Renders as a [`miette`] report.
 pub type CaseError = Located<CaseFault>;
@@ -67,12 +67,12 @@ impl FaultKind {
     }
 }
 
-impl Fact for CaseFault {
+impl Fault for CaseFault {
     fn code(&self) -> &'static str {
         self.kind.code()
     }
 
-    fn tell(&self, _: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn tell(&self, _: &FilePlace, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
     }
 

@@ -21,7 +21,7 @@ use crate::text::shape::unsupported;
     expecting = "a table `{ law = \"tresca\", bound = … }`"
 )]
 pub(crate) struct FrictionKeys {
-    /// The law, one of [`LAWS`].
+    /// The law, one of [`FrictionLaw::NAMES`].
     pub law: At<String>,
     /// Slip bound (force per area), 0 or more: the tangential traction at which the pair slides.
     pub bound: Option<At<FieldKeys>>,
@@ -37,18 +37,8 @@ pub(crate) struct FrictionKeys {
     pub limit: Option<At<FieldKeys>>,
 }
 
-/// The laws as case files call them. The position of a law is its number in result files.
-pub const LAWS: [&str; 6] = [
-    "frictionless",
-    "tresca",
-    "orthotropic",
-    "coulomb",
-    "tied",
-    "bilateral",
-];
-
-/// The keys that each law takes beside `law`.
-const KEYS: [&[&str]; LAWS.len()] = [
+/// The keys that each law of [`FrictionLaw::NAMES`] takes beside `law`.
+const KEYS: [&[&str]; FrictionLaw::NAMES.len()] = [
     &[],
     &["bound"],
     &["bounds", "axis"],
@@ -244,7 +234,7 @@ impl Reader<'_> {
     /// Refuses the keys of other laws.
     fn keys_of_law(&self, keys: &FrictionKeys) -> Result<(), CaseError> {
         let law = keys.law.as_str();
-        let laws = || LAWS.into_iter().zip(KEYS);
+        let laws = || FrictionLaw::NAMES.into_iter().zip(KEYS);
         let taken = laws()
             .find(|(name, _)| *name == law)
             .map_or(&[][..], |(_, keys)| keys);
@@ -294,14 +284,14 @@ pub(crate) fn known_laws(source: &SourceText, root: &DeTable<'_>) -> Result<(), 
         .filter_map(|contact| contact.get_ref().get("friction")?.get_ref().get("law"));
     for law in laws {
         if let DeValue::String(name) = law.get_ref()
-            && !LAWS.contains(&name.as_ref())
+            && !FrictionLaw::NAMES.contains(&name.as_ref())
         {
             return Err(unsupported(
                 source,
                 law.span(),
                 format!("the friction law `{name}` is not supported"),
                 name,
-                &LAWS,
+                &FrictionLaw::NAMES,
             ));
         }
     }

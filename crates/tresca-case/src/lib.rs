@@ -52,6 +52,5 @@ mod value_table;
 
 pub use case::Case;
 pub use error::{CaseError, CaseFault, FaultKind};
-pub use friction::LAWS;
 pub use mesh::MAX_NODES;
 pub use step::MAX_INCREMENTS;

@@ -48,7 +48,7 @@ pub struct SolveArguments {
     pub out: Option<PathBuf>,
     /// Problems of FCLIB and Siconos: the law of friction (default: coulomb, as they are posed).
     #[arg(long, value_name = "LAW")]
-    pub law: Option<Law>,
+    pub law: Option<FclibLawArg>,
     /// With `--law tresca`: the slip bound of every contact, a force.
     #[arg(long, value_name = "FORCE", allow_negative_numbers = true)]
     pub bound: Option<f64>,
@@ -78,7 +78,7 @@ pub struct CheckArguments {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Law {
+pub enum FclibLawArg {
     /// The bound is the coefficient of friction times the normal force.
     Coulomb,
     /// The bound is given.

@@ -28,6 +28,7 @@ pub struct SharedNode {
 
 /// What the dual problem needs to know of one contact.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct ContactData {
     /// The m pairs.
     pub pairs: Vec<ContactPair>,

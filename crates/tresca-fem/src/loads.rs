@@ -109,6 +109,7 @@ pub fn body_force(mesh: &Mesh, density: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f6
 
 /// Force and moment that a load adds up to.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Resultant {
     /// Σ f_a.
     pub force: [f64; 3],

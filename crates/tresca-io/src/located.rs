@@ -1,6 +1,6 @@
 //! What is wrong in a file, told with its place: one type of error for meshes, problems and case files.
 //!
-//! A family of files has its own type of facts (a [`Fact`]); a [`Located`] is one of them with the place, a second place
+//! A family of files has its own type of faults (a [`Fault`]); a [`Located`] is one of them with the place, a second place
 //! that has to do with it, the likely cause or cure, and the text around where there is one. It renders as a [`miette`]
 //! report.
 
@@ -19,7 +19,7 @@ pub type Span = Range<usize>;
 
 /// A place in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct FilePlace {
     /// The file.
     pub path: PathBuf,
     /// Where in it.
@@ -42,7 +42,7 @@ pub enum Position {
     Part(String),
 }
 
-impl<P: Into<PathBuf>> From<P> for Place {
+impl<P: Into<PathBuf>> From<P> for FilePlace {
     fn from(path: P) -> Self {
         let path = path.into();
         let position = Position::File;
@@ -50,7 +50,7 @@ impl<P: Into<PathBuf>> From<P> for Place {
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for FilePlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = self.path.display();
         match &self.position {
@@ -64,7 +64,7 @@ impl fmt::Display for Place {
 }
 
 /// What can be wrong in a family of files.
-pub trait Fact: fmt::Debug + Send + Sync + 'static {
+pub trait Fault: fmt::Debug + Send + Sync + 'static {
     /// A word for the sort of fault, such as `mesh::syntax`.
     fn code(&self) -> &'static str;
 
@@ -72,7 +72,7 @@ pub trait Fact: fmt::Debug + Send + Sync + 'static {
     ///
     /// # Errors
     /// Those of the formatter.
-    fn tell(&self, place: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result;
+    fn tell(&self, place: &FilePlace, f: &mut fmt::Formatter<'_>) -> fmt::Result;
 
     /// The likely cause or cure, where it goes with every such fault.
     fn help(&self) -> Option<String> {
@@ -85,14 +85,14 @@ pub trait Fact: fmt::Debug + Send + Sync + 'static {
     }
 }
 
-/// A fact with its place.
+/// A fault with its place.
 #[derive(Debug)]
 pub struct Located<F>(Box<Parts<F>>);
 
 #[derive(Debug)]
 struct Parts<F> {
-    fact: F,
-    place: Place,
+    fault: F,
+    place: FilePlace,
     help: Option<String>,
     /// The text around, with what to say about parts of it; the first is the place itself.
     text: Option<SourceText>,
@@ -100,10 +100,10 @@ struct Parts<F> {
 }
 
 impl<F> Located<F> {
-    /// A fact in a file that is not shown.
-    pub fn new(fact: F, place: impl Into<Place>) -> Self {
+    /// A fault in a file that is not shown.
+    pub fn new(fault: F, place: impl Into<FilePlace>) -> Self {
         Self(Box::new(Parts {
-            fact,
+            fault,
             place: place.into(),
             help: None,
             text: None,
@@ -111,14 +111,14 @@ impl<F> Located<F> {
         }))
     }
 
-    /// A fact in a text that is shown; `label` is what the marked part is or should have been.
-    pub fn in_text(fact: F, text: &SourceText, span: Span, label: impl Into<String>) -> Self {
+    /// A fault in a text that is shown; `label` is what the marked part is or should have been.
+    pub fn in_text(fault: F, text: &SourceText, span: Span, label: impl Into<String>) -> Self {
         let (line, column) = text.line_column(span.start);
-        let place = Place {
+        let place = FilePlace {
             path: text.name().into(),
             position: Position::LineColumn(line, column),
         };
-        let mut located = Self::new(fact, place);
+        let mut located = Self::new(fault, place);
         located.0.text = Some(text.clone());
         located.and_at(span, label)
     }
@@ -141,12 +141,12 @@ impl<F> Located<F> {
     }
 
     /// What is wrong.
-    pub fn fact(&self) -> &F {
-        &self.0.fact
+    pub fn fault(&self) -> &F {
+        &self.0.fault
     }
 
     /// Where.
-    pub fn place(&self) -> &Place {
+    pub fn place(&self) -> &FilePlace {
         &self.0.place
     }
 
@@ -165,25 +165,25 @@ impl<F> Located<F> {
     }
 }
 
-impl<F: Fact> fmt::Display for Located<F> {
+impl<F: Fault> fmt::Display for Located<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fact.tell(&self.0.place, f)
+        self.0.fault.tell(&self.0.place, f)
     }
 }
 
-impl<F: Fact> Error for Located<F> {
+impl<F: Fault> Error for Located<F> {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
-        self.0.fact.cause()
+        self.0.fault.cause()
     }
 }
 
-impl<F: Fact> Diagnostic for Located<F> {
+impl<F: Fault> Diagnostic for Located<F> {
     fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(self.0.fact.code()))
+        Some(Box::new(self.0.fault.code()))
     }
 
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        let help = self.0.help.clone().or_else(|| self.0.fact.help());
+        let help = self.0.help.clone().or_else(|| self.0.fault.help());
         help.map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 

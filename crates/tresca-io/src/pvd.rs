@@ -7,7 +7,7 @@ use crate::xml::escape;
 
 /// One file of a collection.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part<'a> {
+pub struct PvdPart<'a> {
     /// What ParaView calls the part.
     pub name: &'a str,
     /// The file, as a path relative to the collection's, with `/` between directories.
@@ -20,7 +20,7 @@ pub struct Part<'a> {
 ///
 /// # Errors
 /// [`WriteError::NotFinite`] for such an instant; those of the stream.
-pub fn write(out: &mut dyn Write, parts: &[Part<'_>]) -> Result<(), WriteError> {
+pub fn write(out: &mut dyn Write, parts: &[PvdPart<'_>]) -> Result<(), WriteError> {
     writeln!(out, "<?xml version=\"1.0\"?>")?;
     writeln!(out, "<VTKFile type=\"Collection\" version=\"0.1\">")?;
     writeln!(out, "  <Collection>")?;

@@ -23,6 +23,7 @@ pub struct SquareMatrix<'a> {
 
 /// What a square matrix looks like.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SquareReport {
     /// max |A_ij|; NaN or infinite if one of the entries is.
     pub largest: f64,

@@ -6,7 +6,7 @@ use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use tresca::Settings;
-use tresca::algebraic::{self, Conditions, Forces, Kernel, Matrix, Problem};
+use tresca::algebraic::{self, Conditions, Forces, Kernel, Matrix, MatrixProblem};
 
 use crate::arrays::{self, Parts};
 use crate::errors;
@@ -64,7 +64,7 @@ impl Prepared {
         let stiffness = stiffness.iter().map(|block| block.matrix("K"));
         let stiffness = stiffness.collect::<PyResult<Vec<_>>>()?;
         let dofs = stiffness.iter().map(Matrix::rows).sum();
-        let mut problem = Problem::new(stiffness, normal.matrix("N")?, vec![0.0; dofs])
+        let mut problem = MatrixProblem::new(stiffness, normal.matrix("N")?, vec![0.0; dofs])
             .with_friction(friction(&laws)?);
         if let Some(tangential) = tangential {
             problem = problem.with_tangential(tangential.matrix("T")?);

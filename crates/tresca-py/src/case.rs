@@ -49,7 +49,7 @@ impl Case {
         py: Python<'_>,
         options: &Bound<'_, PyDict>,
         callback: Option<Py<PyAny>>,
-    ) -> PyResult<Outcome> {
+    ) -> PyResult<CaseOutcome> {
         let settings = over(self.inner.settings(), options)?;
         let model = &self.inner.model;
         let mut observer = Observer::new(callback);
@@ -58,7 +58,7 @@ impl Case {
         observer.finish()?;
         let outcome =
             outcome.map_err(|error| errors::case(tresca::case::locate(&self.inner, &error)))?;
-        Ok(Outcome {
+        Ok(CaseOutcome {
             case: Arc::clone(&self.inner),
             outcome,
         })
@@ -73,14 +73,14 @@ impl Case {
 }
 
 /// The result of a case.
-#[pyclass(frozen, module = "tresca._tresca")]
-pub struct Outcome {
+#[pyclass(frozen, module = "tresca._tresca", name = "Outcome")]
+pub struct CaseOutcome {
     case: Arc<tresca::case::Case>,
     outcome: tresca::Outcome,
 }
 
 #[pymethods]
-impl Outcome {
+impl CaseOutcome {
     /// What `summary.json` holds.
     fn summary(&self) -> PyResult<String> {
         json(&RunReport::of_model(&self.case.model, &self.outcome))
@@ -112,7 +112,7 @@ impl Outcome {
     }
 }
 
-impl Outcome {
+impl CaseOutcome {
     fn step<'py>(&self, py: Python<'py>, step: &StepOutcome) -> PyResult<Bound<'py, PyDict>> {
         let model = &self.case.model;
         let result = PyDict::new(py);

@@ -3,7 +3,7 @@
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use tresca::FrictionLaw;
-use tresca::algebraic::{Friction, Law};
+use tresca::algebraic::{Friction, PairLaw};
 
 use crate::errors;
 
@@ -27,20 +27,20 @@ pub fn friction((codes, figures, per_pair): &Laws<'_>) -> PyResult<Friction> {
     }
 }
 
-fn law(code: u8, [first, second, limit]: [f64; 3]) -> PyResult<Law> {
+fn law(code: u8, [first, second, limit]: [f64; 3]) -> PyResult<PairLaw> {
     let name = LAWS.get(usize::from(code)).copied();
     Ok(match name {
-        Some("frictionless") => Law::Frictionless,
-        Some("tresca") => Law::Tresca { bound: first },
-        Some("orthotropic") => Law::Orthotropic {
+        Some("frictionless") => PairLaw::Frictionless,
+        Some("tresca") => PairLaw::Tresca { bound: first },
+        Some("orthotropic") => PairLaw::Orthotropic {
             bounds: [first, second],
         },
-        Some("coulomb") => Law::Coulomb {
+        Some("coulomb") => PairLaw::Coulomb {
             coefficients: [first, second],
             limit,
         },
-        Some("tied") => Law::Tied,
-        Some("bilateral") => Law::Bilateral { bound: first },
+        Some("tied") => PairLaw::Tied,
+        Some("bilateral") => PairLaw::Bilateral { bound: first },
         _ => return Err(errors::problem(format!("there is no law with code {code}"))),
     })
 }

@@ -33,7 +33,7 @@ mod _tresca {
     #[pymodule_export]
     use super::algebraic::Prepared;
     #[pymodule_export]
-    use super::case::{Case, Outcome};
+    use super::case::{Case, CaseOutcome};
     #[pymodule_export]
     use super::dual::{solve_dual_dense, solve_dual_product};
     #[pymodule_export]

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// How many blocks are in which state.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct StateCounts {
     /// Half-lines at 0.
     pub open: usize,
@@ -29,7 +30,7 @@ impl ActiveSet {
         let mut counts = StateCounts::default();
         for (block, state) in blocks.iter().zip(&states) {
             match (block.set, state) {
-                (BlockSet::Line(_) | BlockSet::Point(_), _) => {}
+                (BlockSet::Line(_) | BlockSet::Origin(_), _) => {}
                 (BlockSet::HalfLine(_), BlockState::Free) => counts.closed += 1,
                 (BlockSet::HalfLine(_), BlockState::Bound) => counts.open += 1,
                 (BlockSet::Interval(_) | BlockSet::Disc(_), BlockState::Free) => counts.stick += 1,

@@ -35,14 +35,14 @@
 //!
 //! ```
 //! use tresca_la::PackedLower;
-//! use tresca_qcqp::{DualProblem, ProductSet, Settings, Silent, operator::Dense, solve};
+//! use tresca_qcqp::{DualProblem, ProductSet, Settings, Unobserved, operator::Dense, solve};
 //!
 //! // One pair with slip bound 1 and A = I: the solution is the projection of b.
 //! let mut a = PackedLower::zeros(3);
 //! (0..3).for_each(|i| a.set(i, i, 1.0));
 //! let set = ProductSet::contact_3d(&[1.0])?;
 //! let mut problem = DualProblem::new(Dense::new(a), vec![2.0, 3.0, 4.0], set)?;
-//! let solution = solve(&mut problem, &Settings::default(), None, &mut Silent)?;
+//! let solution = solve(&mut problem, &Settings::default(), None, &mut Unobserved)?;
 //!
 //! assert!(solution.status.is_converged());
 //! for (found, expected) in solution.lambda.iter().zip([2.0, 0.6, 0.8]) {
@@ -91,7 +91,7 @@ pub use equality::Equality;
 pub use error::QcqpError;
 pub use figures::Figures;
 pub use newton::tangent::Tangent;
-pub use observe::{Observer, Silent};
+pub use observe::{Observer, Unobserved};
 pub use operator::{DualOperator, Tally};
 pub use problem::DualProblem;
 pub use record::IterationRecord;

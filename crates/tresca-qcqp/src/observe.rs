@@ -19,9 +19,9 @@ impl<F: FnMut(&IterationRecord) -> ControlFlow<()>> Observer for F {
 
 /// The observer that looks away.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Silent;
+pub struct Unobserved;
 
-impl Observer for Silent {
+impl Observer for Unobserved {
     fn iteration(&mut self, _: &IterationRecord) -> ControlFlow<()> {
         ControlFlow::Continue(())
     }

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 /// equality constraint) begin with a record of their own for their start: there `decrease`,
 /// `set_changes`, `inner_iterations` and `step_length` are 0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct IterationRecord {
     /// k, which runs on over outer iterations.
     pub iteration: usize,

@@ -13,7 +13,7 @@ use tresca_qcqp::operator::Coupling;
 
 /// A body over its free dofs.
 #[derive(Debug, Clone)]
-pub struct Body {
+pub struct SystemBody {
     /// K, singular when the body floats.
     pub stiffness: SymmetricMatrix,
     /// C, R and S of a body that floats.
@@ -33,7 +33,7 @@ pub enum FactorFailure {
     Factor(FactorError),
 }
 
-impl Body {
+impl SystemBody {
     /// A body; `grounding` if it floats.
     pub fn new(
         stiffness: SymmetricMatrix,
@@ -101,12 +101,12 @@ impl Body {
 }
 
 /// Zero displacements.
-pub(crate) fn at_rest(bodies: &[Body]) -> Vec<Vec<f64>> {
+pub(crate) fn at_rest(bodies: &[SystemBody]) -> Vec<Vec<f64>> {
     bodies.iter().map(|body| vec![0.0; body.dofs()]).collect()
 }
 
 /// e = Rᵀf of all floating bodies.
-pub(crate) fn load_on_motions(bodies: &[Body], loads: &[Vec<f64>]) -> Vec<f64> {
+pub(crate) fn load_on_motions(bodies: &[SystemBody], loads: &[Vec<f64>]) -> Vec<f64> {
     bodies
         .iter()
         .zip(loads)
@@ -115,7 +115,7 @@ pub(crate) fn load_on_motions(bodies: &[Body], loads: &[Vec<f64>]) -> Vec<f64> {
 }
 
 /// Adds R α to displacements; `alpha` holds the motions of all bodies in order.
-pub(crate) fn add_motions(bodies: &[Body], alpha: &[f64], displacements: &mut [Vec<f64>]) {
+pub(crate) fn add_motions(bodies: &[SystemBody], alpha: &[f64], displacements: &mut [Vec<f64>]) {
     let mut alpha = alpha.iter();
     for (body, u) in bodies.iter().zip(displacements) {
         for r in body.motions() {

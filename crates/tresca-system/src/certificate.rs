@@ -42,6 +42,7 @@ pub struct Certificate {
 /// Loads, contact forces and support reactions of one body must cancel. The reactions
 /// come from the stresses of the elements at the supports.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BodyBalance {
     /// Name of the body.
     pub name: String,
@@ -55,6 +56,22 @@ pub struct BodyBalance {
     pub contact: [f64; 3],
     /// Resultant of the support reactions.
     pub reaction: [f64; 3],
+}
+
+impl BodyBalance {
+    /// The balance of a body from the resultants `[load, contact, reaction]` and what is left of forces and moments,
+    /// both relative.
+    pub fn new(name: String, resultants: [[f64; 3]; 3], force: f64, moment: f64) -> Self {
+        let [load, contact, reaction] = resultants;
+        Self {
+            name,
+            force,
+            moment,
+            load,
+            contact,
+            reaction,
+        }
+    }
 }
 
 impl Certificate {

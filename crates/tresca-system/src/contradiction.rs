@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::body::Body;
+use crate::body::SystemBody;
 use crate::layout::Layout;
 use crate::load_case::LoadCase;
 use crate::measures::largest;
@@ -67,11 +67,11 @@ impl Contradiction {
     /// there, but rounding does not let them be found.
     pub(crate) fn confirmed(
         layout: &Layout,
-        bodies: &[Body],
+        bodies: &[SystemBody],
         case: &LoadCase,
         mu: &[f64],
     ) -> Option<Self> {
-        let vanishes = |body: &Body| {
+        let vanishes = |body: &SystemBody| {
             let order = body.stiffness.order();
             let (mut sum, mut sizes) = (vec![0.0; order], vec![0.0; order]);
             body.coupling.add_transposed_product(mu, &mut sum);

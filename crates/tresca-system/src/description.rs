@@ -37,6 +37,7 @@ pub struct EngineChoice {
 
 /// Wall-clock seconds.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Times {
     /// Stiffness and contact data; of problems that come as matrices, the checks of the input.
     pub assembly: f64,

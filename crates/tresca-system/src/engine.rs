@@ -8,7 +8,7 @@ use tresca_la::Parallelism;
 use tresca_qcqp::operator::{Condensed, Factored};
 use tresca_qcqp::{DualProblem, Engine, Equality, QcqpError};
 
-use crate::body::Body;
+use crate::body::SystemBody;
 use crate::description::EngineChoice;
 use crate::factors::Factors;
 use crate::layout::Layout;
@@ -56,7 +56,7 @@ pub fn choose_engine(asked: Engine, unknowns: usize, many: bool) -> EngineChoice
 
 /// The dual problem of the bodies, A applied by the engine (which is chosen already). b and e are zero.
 pub(crate) fn dual_problem(
-    bodies: &[Body],
+    bodies: &[SystemBody],
     factors: &Factors,
     layout: &Layout,
     slidings: &[Sliding],
@@ -87,7 +87,7 @@ pub(crate) fn dual_problem(
 }
 
 fn condensed(
-    bodies: &[Body],
+    bodies: &[SystemBody],
     factors: &Factors,
     patches: Vec<Vec<usize>>,
 ) -> Result<Condensed, QcqpError> {
@@ -105,7 +105,7 @@ fn condensed(
 }
 
 /// G and S of all floating bodies, e left at zero; `None` when every body is held.
-fn equality(bodies: &[Body], unknowns: usize) -> Option<Equality> {
+fn equality(bodies: &[SystemBody], unknowns: usize) -> Option<Equality> {
     let floating = || {
         bodies
             .iter()
@@ -165,7 +165,7 @@ mod tests {
         let stiffness = SparseColMat::try_new_from_triplets(1, 1, &entry).unwrap();
         let coupling = SparseRowMat::try_new_from_triplets(1, 1, &entry).unwrap();
         let stiffness = SymmetricMatrix::from_lower(stiffness);
-        let body = Body::new(stiffness, None, Coupling::new(coupling));
+        let body = SystemBody::new(stiffness, None, Coupling::new(coupling));
         let factors = Factors {
             bodies: vec![Arc::new(Factorless)],
             work: FactorWork {

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use tresca_la::{BodySolver, Parallelism};
 
-use crate::body::{Body, FactorFailure};
+use crate::body::{FactorFailure, SystemBody};
 
 /// What the factorisation cost.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -50,7 +50,7 @@ impl Factors {
     ///
     /// # Errors
     /// When a stiffness matrix is not positive definite, with the number of the body.
-    pub fn new(bodies: &[Body], contact_last: bool) -> Result<Self, (usize, FactorFailure)> {
+    pub fn new(bodies: &[SystemBody], contact_last: bool) -> Result<Self, (usize, FactorFailure)> {
         let start = Instant::now();
         let parallelism = share_of_threads(bodies.len());
         let factors = bodies
@@ -78,7 +78,7 @@ impl Factors {
     /// K⁺(f − Bᵀλ) of each body, λ in the solver's unknowns μ.
     pub(crate) fn displacements(
         &self,
-        bodies: &[Body],
+        bodies: &[SystemBody],
         loads: &[Vec<f64>],
         mu: &[f64],
     ) -> Vec<Vec<f64>> {

@@ -5,7 +5,7 @@
 //! A direction in which supports let a pair not move carries no force.
 
 use tresca_contact::{Mobility, Opening, Sliding};
-use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line, Point};
+use tresca_qcqp::sets::{Block, BlockSet, BlockState, Disc, HalfLine, Interval, Line, Origin};
 use tresca_qcqp::{ActiveSet, CoulombBound, ProductSet, QcqpError};
 
 /// How the tangential unknowns of a pair are constrained.
@@ -175,7 +175,7 @@ impl Layout {
         let normals = self.pairs.iter().enumerate().map(|(start, pair)| Block {
             start,
             set: match pair.opening {
-                _ if !pair.mobility.normal => POINT,
+                _ if !pair.mobility.normal => ORIGIN,
                 Opening::Unilateral => BlockSet::HalfLine(HalfLine),
                 Opening::Never => BlockSet::Line(Line),
             },
@@ -197,7 +197,7 @@ impl Layout {
                             .map(|t| Block {
                                 start: first + t,
                                 set: match bounds {
-                                    _ if !pair.mobility.tangents[t] => POINT,
+                                    _ if !pair.mobility.tangents[t] => ORIGIN,
                                     None => BlockSet::Line(Line),
                                     Some(bounds) => {
                                         BlockSet::Interval(Interval { bound: bounds[t] })
@@ -270,7 +270,7 @@ impl Layout {
 }
 
 /// An unknown that is always zero.
-const POINT: BlockSet = BlockSet::Point(Point);
+const ORIGIN: BlockSet = BlockSet::Origin(Origin);
 
 /// The proportions of the ellipse, `None` where nothing slides.
 fn semi_axes(sliding: &Sliding) -> Option<[f64; 2]> {

@@ -7,7 +7,7 @@ use tresca_contact::Sliding;
 use tresca_la::vector::dot;
 use tresca_qcqp::{DualProblem, DualSolution, QcqpError, Settings, Status};
 
-use crate::body::{Body, add_motions, at_rest, load_on_motions};
+use crate::body::{SystemBody, add_motions, at_rest, load_on_motions};
 use crate::contradiction::Contradiction;
 use crate::description::{Description, EngineChoice, Times};
 use crate::engine::dual_problem;
@@ -21,7 +21,7 @@ use crate::solved::{Measured, Solved};
 
 /// A system of bodies whose contact is posed as a dual problem.
 pub struct Prepared {
-    bodies: Vec<Body>,
+    bodies: Vec<SystemBody>,
     factors: Factors,
     layout: Layout,
     dual: DualProblem<'static>,
@@ -32,7 +32,7 @@ pub struct Prepared {
 /// What a system is prepared from.
 pub struct Parts<'a> {
     /// The bodies, their coupling weighted by the layout.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<SystemBody>,
     /// Their factors.
     pub factors: Factors,
     /// Where the pairs stand.
@@ -97,12 +97,12 @@ impl Prepared {
     }
 
     /// The bodies.
-    pub fn bodies(&self) -> &[Body] {
+    pub fn bodies(&self) -> &[SystemBody] {
         &self.bodies
     }
 
     /// The bodies alone; factors and dual problem go.
-    pub fn into_bodies(self) -> Vec<Body> {
+    pub fn into_bodies(self) -> Vec<SystemBody> {
         self.bodies
     }
 
@@ -190,8 +190,8 @@ impl Prepared {
 
     fn recover(&self, case: &LoadCase, mut solution: DualSolution, load_energy: f64) -> Solved {
         let proof = solution.contradiction.as_deref();
-        let contradiction = proof
-            .and_then(|mu| Contradiction::confirmed(&self.layout, &self.bodies, case, mu));
+        let contradiction =
+            proof.and_then(|mu| Contradiction::confirmed(&self.layout, &self.bodies, case, mu));
         if solution.status == Status::Infeasible && contradiction.is_none() {
             // The rows only nearly depend on each other.
             solution.status = Status::Inaccurate;

@@ -40,6 +40,7 @@ pub struct Stopped(pub Stage);
 
 /// A load step that is about to be solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct StepInfo<'a> {
     /// Its number, from 1.
     pub number: usize,
@@ -49,6 +50,18 @@ pub struct StepInfo<'a> {
     pub time: f64,
     /// How reports call it.
     pub name: Option<&'a str>,
+}
+
+impl<'a> StepInfo<'a> {
+    /// The step `number` of `count`, at the instant `time`.
+    pub fn new(number: usize, count: usize, time: f64, name: Option<&'a str>) -> Self {
+        Self {
+            number,
+            count,
+            time,
+            name,
+        }
+    }
 }
 
 /// Receives news from a run and may stop it.

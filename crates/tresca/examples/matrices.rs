@@ -3,7 +3,7 @@
 //! `cargo run --release -p tresca --example matrices`
 #![allow(clippy::print_stdout, reason = "an example shows what it finds")]
 
-use tresca::algebraic::{Law, Matrix, Problem, prepare};
+use tresca::algebraic::{Matrix, MatrixProblem, PairLaw, prepare};
 use tresca::prelude::*;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -11,10 +11,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let k = Matrix::from_dense((2, 2), &[1.0, 0.0, 0.0, 2.0])?;
     let n = Matrix::from_dense((1, 2), &[1.0, 0.0])?;
     let t = Matrix::from_dense((1, 2), &[0.0, 1.0])?;
-    let problem = Problem::new(k, n, vec![2.0, 0.0])
+    let problem = MatrixProblem::new(k, n, vec![2.0, 0.0])
         .with_tangential(t)
         .with_gap(vec![0.5])
-        .with_friction(Law::coulomb(0.2));
+        .with_friction(PairLaw::coulomb(0.2));
 
     // Checked and factored once; loads, gaps and bounds may change from solve to solve.
     let settings = Settings::default();

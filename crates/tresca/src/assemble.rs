@@ -13,7 +13,7 @@ use tresca_fem::rigid::FreeMotion;
 use tresca_fem::supports::Supports;
 use tresca_la::vector::dot;
 use tresca_qcqp::operator::{Coupling, groups};
-use tresca_system::body::Body;
+use tresca_system::body::SystemBody;
 use tresca_system::engine::PAIRS_PER_PATCH;
 use tresca_system::layout::Layout;
 
@@ -24,6 +24,7 @@ use tresca_model::{Contact, Model, Partner, Place};
 
 /// A body between its mesh and its matrices.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct MeshedBody {
     /// Which full dofs are free.
     pub dofs: DofMap,
@@ -35,6 +36,7 @@ pub struct MeshedBody {
 
 /// What ties the model to its matrices: the dofs, and the pairs with their frames, gaps and areas.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Assembled {
     /// One per body.
     pub bodies: Vec<MeshedBody>,
@@ -112,7 +114,7 @@ impl Assembled {
 /// # Errors
 /// When the model has no body or no contact, a floating body is touched by no contact, an element is
 /// degenerate, or the surfaces of a contact do not fit.
-pub fn assemble(model: &Model) -> Result<(Assembled, Vec<Body>), SolveError> {
+pub fn assemble(model: &Model) -> Result<(Assembled, Vec<SystemBody>), SolveError> {
     if model.bodies().is_empty() {
         return Err(ModelError::NoBodies.into());
     }
@@ -282,7 +284,7 @@ fn body_parts(
     layout: &Layout,
     index: usize,
     dofs: DofMap,
-) -> Result<(MeshedBody, Body), SolveError> {
+) -> Result<(MeshedBody, SystemBody), SolveError> {
     let body = &model.bodies()[index];
     let contact = body_contact(model, contacts, index, dofs.full_len());
     let coupling = weighted_free_part(&contact, &dofs, layout.weights());
@@ -297,7 +299,7 @@ fn body_parts(
         motions: motions.unwrap_or_default(),
         contact,
     };
-    Ok((meshed, Body::new(stiffness, grounding, coupling)))
+    Ok((meshed, SystemBody::new(stiffness, grounding, coupling)))
 }
 
 /// Stacks a body's share of all contacts: the normal rows of every contact, then the tangential.

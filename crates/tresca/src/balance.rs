@@ -3,15 +3,15 @@
 use tresca_fem::dofs::DofMap;
 use tresca_fem::loads::{Resultant, resultant};
 use tresca_la::vector::norm;
-use tresca_model::{self as model};
-use tresca_system::body::Body;
+use tresca_model::Body;
+use tresca_system::body::SystemBody;
 use tresca_system::certificate::{BodyBalance, ROUNDING_OF_FORCES, scale};
 
 /// The balance of a body: `[load, contact, reaction]` over its full dofs, u over its free ones.
 pub(crate) fn balance(
-    body: &model::Body,
+    body: &Body,
     dofs: &DofMap,
-    elastic: &Body,
+    elastic: &SystemBody,
     parts: [&[f64]; 3],
     u: &[f64],
 ) -> BodyBalance {
@@ -33,12 +33,10 @@ pub(crate) fn balance(
     rigid.iter_mut().zip(u).for_each(|(k, u)| *k *= u);
     let rounding = ROUNDING_OF_FORCES * nodes(&dofs.expand(&rigid));
     let magnitude = scale(forces.max(rounding));
-    BodyBalance {
-        name: body.name.clone(),
-        force: total(|part| part.force) / magnitude,
-        moment: total(|part| part.moment) / (magnitude * bounds.diagonal()),
-        load: resultants[0].force,
-        contact: resultants[1].force,
-        reaction: resultants[2].force,
-    }
+    BodyBalance::new(
+        body.name.clone(),
+        resultants.map(|part| part.force),
+        total(|part| part.force) / magnitude,
+        total(|part| part.moment) / (magnitude * bounds.diagonal()),
+    )
 }

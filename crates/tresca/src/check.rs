@@ -15,6 +15,7 @@ use tresca_model::{Amount, Body, LoadId, Model};
 
 /// A body as it was understood.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct BodyCheck {
     /// Name.
     pub name: String,
@@ -39,6 +40,7 @@ pub struct BodyCheck {
 
 /// A support as it was understood.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct SupportCheck {
     /// Name, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -53,6 +55,7 @@ pub struct SupportCheck {
 
 /// A load as it was understood.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct LoadCheck {
     /// Name, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -69,6 +72,7 @@ pub struct LoadCheck {
 
 /// A contact as it was understood.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct ContactCheck {
     /// Slave surface.
     pub slave: String,
@@ -92,6 +96,7 @@ pub struct ContactCheck {
 
 /// Everything that was understood.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct Check {
     /// Title of the case.
     pub title: String,

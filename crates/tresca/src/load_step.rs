@@ -11,6 +11,7 @@ use tresca_model::{Amount, ContactId, LoadId, Model, Partner, Step, SupportId};
 
 /// Everything that may change from step to step.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Acting {
     /// Load on each body over its full dofs (held ones too: they go straight into the reactions).
     pub loads: Vec<Vec<f64>>,

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use tresca_qcqp::{Engine, Settings};
-use tresca_system::body::{Body, FactorFailure};
+use tresca_system::body::{FactorFailure, SystemBody};
 use tresca_system::description::{Description, Times};
 use tresca_system::engine::choose_engine;
 use tresca_system::factors::Factors;
@@ -86,12 +86,10 @@ pub fn prepare<'m>(
         dofs: assembled.dof_count(),
         held_pairs: assembled.contacts.iter().map(|data| data.held_pairs).sum(),
     };
-    let times = Times {
-        assembly,
-        contact: assembled.contact_seconds,
-        factorization: clock.elapsed().as_secs_f64(),
-        ..Times::default()
-    };
+    let mut times = Times::default();
+    times.assembly = assembly;
+    times.contact = assembled.contact_seconds;
+    times.factorization = clock.elapsed().as_secs_f64();
     let system = Prepared::new(parts, times)?;
     progress.problem(system.description());
     Ok(PreparedModel {
@@ -135,7 +133,7 @@ impl PreparedModel<'_> {
     }
 
     /// The bodies as linear algebra; their factors go.
-    pub fn into_bodies(self) -> Vec<Body> {
+    pub fn into_bodies(self) -> Vec<SystemBody> {
         self.system.into_bodies()
     }
 
@@ -178,12 +176,7 @@ impl PreparedModel<'_> {
             peak_memory_bytes: None,
         };
         for (index, step) in steps.iter().enumerate() {
-            let info = StepInfo {
-                number: index + 1,
-                count: steps.len(),
-                time: step.time,
-                name: step.name.as_deref(),
-            };
+            let info = StepInfo::new(index + 1, steps.len(), step.time, step.name.as_deref());
             progress.step(&info);
             let done = self.step(
                 &info,

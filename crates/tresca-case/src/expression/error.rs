@@ -5,6 +5,7 @@ use std::ops::Range;
 /// Why a text is no formula.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
+#[non_exhaustive]
 pub struct ExpressionError {
     /// What is wrong.
     pub message: String,

@@ -50,7 +50,7 @@ impl Reader<'_> {
         part: Option<&At<String>>,
         error: &MeshFileError,
     ) -> CaseError {
-        let span = match (error.fact(), part) {
+        let span = match (error.fault(), part) {
             (MeshFault::UnknownGroup { .. } | MeshFault::GroupDimension { .. }, Some(part)) => {
                 part.span()
             }
@@ -67,7 +67,7 @@ impl Reader<'_> {
             error.to_string(),
             "this mesh cannot be used",
         );
-        match (error.fact(), miette::Diagnostic::help(error)) {
+        match (error.fault(), miette::Diagnostic::help(error)) {
             (MeshFault::Unreadable { .. }, _) => fault.with_help(
                 "paths that do not start at the root count from the directory of the case file",
             ),

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use tresca_fem::FemError;
 use tresca_fem::mesh::Mesh;
-use tresca_io::mesh::{MeshFileError, Note};
+use tresca_io::mesh::{MeshFileError, MeshNote};
 use tresca_io::names::listed;
 
 use crate::error::{CaseError, FaultKind, semantic};
@@ -52,7 +52,7 @@ pub(crate) struct NamedMesh {
     /// Names that its file has for surfaces that cannot be used, with the reason.
     pub unusable: BTreeMap<String, MeshFileError>,
     /// What may be a mistake.
-    pub notes: Vec<Note>,
+    pub notes: Vec<MeshNote>,
 }
 
 impl Reader<'_> {

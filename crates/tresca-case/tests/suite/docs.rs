@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use tresca_case::Case;
 use tresca_case::expression::Expression;
-use tresca_case::{Case, LAWS};
+use tresca_contact::FrictionLaw;
 
 use crate::support::{GOOD, OBSTACLES, PLANE, RICH, Solver, changed, render, report, with};
 
@@ -101,12 +102,12 @@ fn every_law_is_documented() {
         .lines()
         .filter_map(|line| line.strip_prefix("- `")?.split('`').next())
         .collect();
-    assert_eq!(listed, LAWS);
+    assert_eq!(listed, FrictionLaw::NAMES);
     let (_, words) = section.split_once("| `law` | text | required | ").unwrap();
     let words = words.lines().next().unwrap();
     assert_eq!(
         words.split('`').skip(1).step_by(2).collect::<Vec<_>>(),
-        LAWS
+        FrictionLaw::NAMES
     );
 }
 

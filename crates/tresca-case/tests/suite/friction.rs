@@ -1,7 +1,6 @@
 //! Friction laws: their figures, and keys that belong to another law.
 
 use insta::assert_snapshot;
-use tresca_case::LAWS;
 use tresca_contact::FrictionLaw;
 
 use crate::support::{GOOD, PLANE, RICH, at, changed, constant, parse, report};
@@ -85,7 +84,7 @@ fn laws_are_called_as_in_case_files() {
         found,
         ["tresca", "orthotropic", "coulomb", "bilateral", "tied"]
     );
-    assert!(found.iter().all(|name| LAWS.contains(name)));
+    assert!(found.iter().all(|name| FrictionLaw::NAMES.contains(name)));
 }
 
 #[test]
@@ -128,7 +127,7 @@ fn keys_of_other_laws_are_refused_with_both_laws_named() {
         ("axis", "[1, 0, 0]", &["orthotropic", "coulomb"]),
         ("limit", "1", &["coulomb"]),
     ];
-    for name in LAWS {
+    for name in FrictionLaw::NAMES {
         for (key, value, owners) in figures {
             if owners.contains(&name) {
                 continue;

@@ -126,7 +126,7 @@ fn later_checks_report_like_the_early_ones() {
         )
         .and_at(span("\"lower.z+\""), "16 × 15 nodes");
     assert_eq!(error.line_column(), Some((21, 9)));
-    assert_eq!(error.fact().kind, FaultKind::Semantic);
+    assert_eq!(error.fault().kind, FaultKind::Semantic);
     insta::assert_snapshot!(render(&error), @r#"
     case::semantic
 

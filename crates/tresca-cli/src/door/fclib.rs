@@ -4,10 +4,10 @@ use std::path::Path;
 
 use miette::{IntoDiagnostic, miette};
 use tresca::Settings;
-use tresca::fclib::{self, Document, Law, ProblemError};
+use tresca::fclib::{self, Document, FclibLaw, FclibProblemError};
 
 use super::finished::Finished;
-use crate::args::{self, SolveArguments, run_name};
+use crate::args::{FclibLawArg, SolveArguments, run_name};
 use crate::terminal::monitor::Monitor;
 
 /// Whether a file is such a problem, by its extension.
@@ -35,7 +35,7 @@ fn has_extension(path: &Path, extension: &str) -> bool {
 /// A problem and the law it is solved with.
 pub struct Fclib {
     document: Document,
-    law: Law,
+    law: FclibLaw,
     /// Its title, or the name of its file.
     title: String,
 }
@@ -72,7 +72,7 @@ impl Fclib {
     ) -> miette::Result<Option<Finished<'_>>> {
         let problem = &self.document.problem;
         let outcome = match fclib::solve(problem, self.law, settings, monitor) {
-            Err(ProblemError::Stopped(_)) => return Ok(None),
+            Err(FclibProblemError::Stopped(_)) => return Ok(None),
             outcome => outcome.into_diagnostic()?,
         };
         let settings = settings.clone();
@@ -87,13 +87,13 @@ impl Fclib {
     }
 }
 
-fn law(arguments: &SolveArguments) -> miette::Result<Law> {
+fn law(arguments: &SolveArguments) -> miette::Result<FclibLaw> {
     match (arguments.law, arguments.bound) {
-        (Some(args::Law::Tresca), Some(bound)) => Ok(Law::Tresca { bound }),
-        (Some(args::Law::Tresca), None) => {
+        (Some(FclibLawArg::Tresca), Some(bound)) => Ok(FclibLaw::Tresca { bound }),
+        (Some(FclibLawArg::Tresca), None) => {
             Err(miette!("--law tresca needs the slip bound: --bound FORCE"))
         }
         (_, Some(_)) => Err(miette!("--bound is for --law tresca")),
-        (_, None) => Ok(Law::Coulomb),
+        (_, None) => Ok(FclibLaw::Coulomb),
     }
 }

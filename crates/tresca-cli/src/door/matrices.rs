@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use miette::{IntoDiagnostic, Report, miette};
 use tresca::Settings;
-use tresca::algebraic::{self, AlgebraicError, FileError, Problem};
+use tresca::algebraic::{self, AlgebraicError, FileError, MatrixProblem};
 
 use super::finished::Finished;
 use crate::terminal::monitor::Monitor;
@@ -17,7 +17,7 @@ pub fn is_problem(path: &Path) -> bool {
 /// A problem from an archive or a folder.
 pub struct Matrices {
     path: PathBuf,
-    problem: Problem,
+    problem: MatrixProblem,
 }
 
 impl Matrices {

@@ -122,6 +122,7 @@ impl Progress for Monitor {
                 count,
                 time,
                 name,
+                ..
             } = step;
             let name = name.unwrap_or("");
             println!("\nload step {number} of {count}, time {time} {name}");

@@ -12,6 +12,7 @@ use crate::mesh::geometry::gather_points;
 
 /// The stress at a point of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct StressSample {
     /// The cell that the point lies in.
     pub cell: usize,

@@ -5,7 +5,7 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-use crate::located::{Fact, Located, Place, Position};
+use crate::located::{Fault, FilePlace, Located, Position};
 
 /// Why a problem was not read, and where.
 pub type FclibError = Located<FclibFault>;
@@ -22,7 +22,7 @@ pub enum FclibFault {
     WithoutHdf5,
 }
 
-impl Fact for FclibFault {
+impl Fault for FclibFault {
     fn code(&self) -> &'static str {
         match self {
             FclibFault::Io(_) => "fclib::io",
@@ -31,7 +31,7 @@ impl Fact for FclibFault {
         }
     }
 
-    fn tell(&self, place: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn tell(&self, place: &FilePlace, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = place.path.display();
         match self {
             FclibFault::Io(_) => write!(f, "cannot read `{path}`"),
@@ -179,7 +179,7 @@ impl Trouble {
         match self {
             Trouble::Content(position, defect) => {
                 let path = path.to_owned();
-                Located::new(FclibFault::Content(defect), Place { path, position })
+                Located::new(FclibFault::Content(defect), FilePlace { path, position })
             }
             #[cfg(not(feature = "fclib"))]
             Trouble::WithoutHdf5 => Located::new(FclibFault::WithoutHdf5, path),

@@ -4,13 +4,13 @@ use crate::fclib::error::Defect;
 
 /// A sparse matrix: its entries by rows, columns ascending within a row, no place twice.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Matrix {
+pub struct FclibMatrix {
     rows: usize,
     columns: usize,
     entries: Vec<(usize, usize, f64)>,
 }
 
-impl Matrix {
+impl FclibMatrix {
     /// From entries (row, column, value) in any order. Values at the same place add up, as they do in
     /// every triplet format; zeros are dropped.
     ///
@@ -124,14 +124,14 @@ mod tests {
     #[test]
     fn entries_are_sorted_summed_and_checked() {
         let entries = vec![(1, 0, 2.0), (0, 1, 1.0), (1, 0, 3.0), (0, 0, 0.0)];
-        let matrix = Matrix::new(2, 3, entries).unwrap();
+        let matrix = FclibMatrix::new(2, 3, entries).unwrap();
         assert_eq!(matrix.entries(), [(0, 1, 1.0), (1, 0, 5.0)]);
         assert_eq!(matrix.times(&[1.0, 2.0, 4.0]), [2.0, 5.0]);
         assert_eq!(matrix.transposed_times(&[1.0, 2.0]), [10.0, 1.0, 0.0]);
 
-        let outside = Matrix::new(2, 3, vec![(2, 0, 1.0)]).unwrap_err();
+        let outside = FclibMatrix::new(2, 3, vec![(2, 0, 1.0)]).unwrap_err();
         assert!(matches!(outside, Defect::Outside { row: 2, .. }));
-        let infinite = Matrix::new(1, 1, vec![(0, 0, f64::INFINITY)]).unwrap_err();
+        let infinite = FclibMatrix::new(1, 1, vec![(0, 0, f64::INFINITY)]).unwrap_err();
         assert!(matches!(infinite, Defect::NotFinite { index: 0, .. }));
     }
 }

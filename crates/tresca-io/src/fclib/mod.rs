@@ -2,8 +2,8 @@
 //!
 //! | problem | given | sought |
 //! |---|---|---|
-//! | [`Problem::Local`] | W, q, μ | u = W r + q |
-//! | [`Problem::Global`] | M, H, f, w, μ | M v = H r + f, u = Hᵀ v + w |
+//! | [`FclibProblem::Local`] | W, q, μ | u = W r + q |
+//! | [`FclibProblem::Global`] | M, H, f, w, μ | M v = H r + f, u = Hᵀ v + w |
 //!
 //! with, for every contact α, the contact force r and the relative velocity u (or displacement)
 //!
@@ -30,8 +30,8 @@ mod problem;
 use std::path::Path;
 
 pub use error::{Defect, FclibError, FclibFault};
-pub use matrix::Matrix;
-pub use problem::{Document, GlobalProblem, Info, LocalProblem, Problem, State};
+pub use matrix::FclibMatrix;
+pub use problem::{Document, FclibProblem, GlobalProblem, Info, LocalProblem, State};
 
 /// The first bytes of every HDF5 file without a user block, which FCLIB never writes.
 const HDF5_SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";

@@ -2,13 +2,13 @@
 
 use crate::error::WriteError;
 use crate::fclib::error::Defect;
-use crate::fclib::matrix::Matrix;
+use crate::fclib::matrix::FclibMatrix;
 
 /// What a file holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
     /// The problem.
-    pub problem: Problem,
+    pub problem: FclibProblem,
     /// What its author says about it.
     pub info: Info,
     /// A solution that comes with it.
@@ -19,7 +19,7 @@ pub struct Document {
 
 /// A problem in one of its two forms.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Problem {
+pub enum FclibProblem {
     /// Reduced to the contacts.
     Local(LocalProblem),
     /// With the velocities of the bodies.
@@ -32,7 +32,7 @@ pub struct LocalProblem {
     /// 2 or 3.
     pub dimension: usize,
     /// W, m × m with m = dimension × contacts; symmetric positive semidefinite up to rounding.
-    pub w: Matrix,
+    pub w: FclibMatrix,
     /// q, length m.
     pub q: Vec<f64>,
     /// μ ≥ 0, one per contact.
@@ -45,9 +45,9 @@ pub struct GlobalProblem {
     /// 2 or 3.
     pub dimension: usize,
     /// M, n × n, symmetric positive definite.
-    pub m: Matrix,
+    pub m: FclibMatrix,
     /// H, n × m with m = dimension × contacts.
-    pub h: Matrix,
+    pub h: FclibMatrix,
     /// f, length n.
     pub f: Vec<f64>,
     /// w, length m.
@@ -78,20 +78,20 @@ pub struct State {
     pub r: Vec<f64>,
 }
 
-impl Problem {
+impl FclibProblem {
     /// 2 or 3.
     pub fn dimension(&self) -> usize {
         match self {
-            Problem::Local(problem) => problem.dimension,
-            Problem::Global(problem) => problem.dimension,
+            FclibProblem::Local(problem) => problem.dimension,
+            FclibProblem::Global(problem) => problem.dimension,
         }
     }
 
     /// μ, one per contact.
     pub fn friction(&self) -> &[f64] {
         match self {
-            Problem::Local(problem) => &problem.friction,
-            Problem::Global(problem) => &problem.friction,
+            FclibProblem::Local(problem) => &problem.friction,
+            FclibProblem::Global(problem) => &problem.friction,
         }
     }
 
@@ -108,8 +108,8 @@ impl Problem {
     /// Length n of v; `None` for a local problem.
     pub fn velocities(&self) -> Option<usize> {
         match self {
-            Problem::Local(_) => None,
-            Problem::Global(problem) => Some(problem.f.len()),
+            FclibProblem::Local(_) => None,
+            FclibProblem::Global(problem) => Some(problem.f.len()),
         }
     }
 
@@ -119,14 +119,14 @@ impl Problem {
     /// The first part that does not fit, by its name in FCLIB (`W`, `q`, `mu` ...), and why.
     pub fn check(&self) -> Result<(), (&'static str, Defect)> {
         match self {
-            Problem::Local(problem) => {
+            FclibProblem::Local(problem) => {
                 let unknowns = problem.w.rows();
                 let contacts = contacts("W", unknowns, problem.dimension)?;
                 shape("W", &problem.w, (unknowns, unknowns))?;
                 vector("q", &problem.q, unknowns)?;
                 coefficients(&problem.friction, contacts)
             }
-            Problem::Global(problem) => {
+            FclibProblem::Global(problem) => {
                 let (order, unknowns) = (problem.m.rows(), problem.h.columns());
                 let contacts = contacts("H", unknowns, problem.dimension)?;
                 shape("M", &problem.m, (order, order))?;
@@ -163,8 +163,8 @@ impl Document {
     }
 }
 
-impl From<Problem> for Document {
-    fn from(problem: Problem) -> Self {
+impl From<FclibProblem> for Document {
+    fn from(problem: FclibProblem) -> Self {
         Self {
             problem,
             info: Info::default(),
@@ -176,7 +176,7 @@ impl From<Problem> for Document {
 
 impl State {
     /// Checks a state of a problem; `name` calls it.
-    fn check(&self, name: &str, problem: &Problem) -> Result<(), (String, Defect)> {
+    fn check(&self, name: &str, problem: &FclibProblem) -> Result<(), (String, Defect)> {
         let check = |part: &str, values: &[f64], expected| {
             finite(values, expected).map_err(|defect| (format!("{name}/{part}"), defect))
         };
@@ -210,7 +210,7 @@ fn contacts(name: &'static str, rows: usize, dimension: usize) -> Result<usize, 
     }
 }
 
-fn shape(name: &'static str, matrix: &Matrix, expected: (usize, usize)) -> Result<(), Part> {
+fn shape(name: &'static str, matrix: &FclibMatrix, expected: (usize, usize)) -> Result<(), Part> {
     let found = (matrix.rows(), matrix.columns());
     if found == expected {
         Ok(())

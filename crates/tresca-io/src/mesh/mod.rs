@@ -40,12 +40,12 @@ mod surface;
 
 use std::path::Path;
 
-pub use body::{BodyMesh, note::Note};
+pub use body::{BodyMesh, note::MeshNote};
 pub use cells::FileCells;
 pub use error::{MeshFault, MeshFileError};
 pub use file::{Group, MeshFile};
 pub use placement::{Placement, Rotation};
-pub use surface::RigidSurface;
+pub use surface::SurfaceMesh;
 
 /// Reads a mesh file. What it is decides its content, not its name.
 ///

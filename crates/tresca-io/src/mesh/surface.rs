@@ -12,7 +12,8 @@ use super::placement::Placement;
 
 /// A surface that does not deform; in the plane, a curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RigidSurface {
+#[non_exhaustive]
+pub struct SurfaceMesh {
     /// Coordinates (length); in the plane the third is 0.
     pub points: Vec<[f64; 3]>,
     /// Kind and points of each face. The normal ∂x/∂ξ₁ × ∂x/∂ξ₂ (in the plane: the tangent turned
@@ -50,12 +51,12 @@ impl MeshFile {
         group: Option<&str>,
         placement: &Placement,
         flip: bool,
-    ) -> Result<RigidSurface, MeshFileError> {
+    ) -> Result<SurfaceMesh, MeshFileError> {
         let mut faces = self.drafts(dimension, group)?;
         self.orient(&mut faces, group)?;
         let mut numbers = vec![usize::MAX; self.points.len()];
         let (mut surface, mut used) = (
-            RigidSurface {
+            SurfaceMesh {
                 points: Vec::new(),
                 faces: Vec::with_capacity(faces.len()),
             },

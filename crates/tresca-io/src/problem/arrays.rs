@@ -15,14 +15,14 @@ pub struct Sparse {
 
 /// A dense array, the last index running fastest.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Dense {
+pub struct DenseArray {
     /// Its extents; empty for a single number.
     pub shape: Vec<usize>,
     /// The values.
     pub values: Vec<f64>,
 }
 
-impl Dense {
+impl DenseArray {
     /// A vector.
     pub fn vector(values: Vec<f64>) -> Self {
         Self {
@@ -55,7 +55,7 @@ impl Dense {
 
 impl Sparse {
     /// The entries of a dense matrix that are not zero. `None` for something that is no matrix.
-    pub fn from_dense(dense: &Dense) -> Option<Self> {
+    pub fn from_dense(dense: &DenseArray) -> Option<Self> {
         let [rows, columns] = dense.shape[..] else {
             return None;
         };

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::names::nearest;
-use crate::problem::arrays::{Dense, Sparse};
+use crate::problem::arrays::{DenseArray, Sparse};
 use crate::problem::error::{ProblemError, ProblemFault};
 
 /// Every key, with what it means. Blocks of K may also be called `K0`, `K1`, ….
@@ -56,7 +56,7 @@ pub struct Content {
     /// K: one matrix, or its diagonal blocks.
     pub stiffness: Vec<Sparse>,
     /// Vectors over all dofs, n × r.
-    pub kernel: Option<Dense>,
+    pub kernel: Option<DenseArray>,
     /// N.
     pub normal: Sparse,
     /// T.
@@ -68,11 +68,11 @@ pub struct Content {
     /// Friction laws.
     pub law: Option<Words>,
     /// Slip bounds.
-    pub bounds: Option<Dense>,
+    pub bounds: Option<DenseArray>,
     /// Coulomb coefficients.
-    pub coefficients: Option<Dense>,
+    pub coefficients: Option<DenseArray>,
     /// Limits of Coulomb's bounds.
-    pub limits: Option<Dense>,
+    pub limits: Option<DenseArray>,
     /// Slip of the step before.
     pub previous_slip: Option<Vec<f64>>,
     /// λν to start from.
@@ -80,9 +80,9 @@ pub struct Content {
     /// λτ to start from.
     pub start_tangential: Option<Vec<f64>>,
     /// Points of the pairs, m × 3.
-    pub points: Option<Dense>,
+    pub points: Option<DenseArray>,
     /// What else a writer wants to say, under `info/` in an archive: name and array. Not read.
-    pub info: Vec<(String, Dense)>,
+    pub info: Vec<(String, DenseArray)>,
 }
 
 /// Where arrays come from.
@@ -94,7 +94,7 @@ pub(super) trait Source {
     /// A matrix.
     fn sparse(&mut self, key: &str) -> Result<Sparse, ProblemError>;
     /// An array of numbers.
-    fn dense(&mut self, key: &str) -> Result<Dense, ProblemError>;
+    fn dense(&mut self, key: &str) -> Result<DenseArray, ProblemError>;
     /// Words.
     fn words(&mut self, key: &str) -> Result<Words, ProblemError>;
 }
@@ -259,7 +259,7 @@ fn split(b: &Sparse, pairs: usize) -> (Sparse, Option<Sparse>) {
 /// The arrays of a problem by key: what the writers write.
 pub(super) struct Parts<'a> {
     pub sparse: Vec<(String, &'a Sparse)>,
-    pub dense: Vec<(&'static str, Dense)>,
+    pub dense: Vec<(&'static str, DenseArray)>,
     pub law: Option<&'a Words>,
 }
 
@@ -275,7 +275,7 @@ impl Content {
         };
         sparse.push(("N".to_owned(), &self.normal));
         sparse.extend(self.tangential.iter().map(|t| ("T".to_owned(), t)));
-        let vector = |values: &Vec<f64>| Dense::vector(values.clone());
+        let vector = |values: &Vec<f64>| DenseArray::vector(values.clone());
         let optional = [
             ("f", Some(vector(&self.load))),
             ("gap", self.gap.as_ref().map(vector)),

@@ -5,7 +5,7 @@ use std::fmt;
 use std::io;
 use std::path::Path;
 
-use crate::located::{Fact, Located, Place, Position};
+use crate::located::{Fault, FilePlace, Located, Position};
 
 /// Why a problem was not read, and where.
 pub type ProblemError = Located<ProblemFault>;
@@ -44,7 +44,7 @@ pub enum ProblemFault {
     },
 }
 
-impl Fact for ProblemFault {
+impl Fault for ProblemFault {
     fn code(&self) -> &'static str {
         match self {
             ProblemFault::Io(_) => "problem::io",
@@ -56,7 +56,7 @@ impl Fact for ProblemFault {
         }
     }
 
-    fn tell(&self, place: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn tell(&self, place: &FilePlace, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let path = place.path.display();
         let (key, line) = match &place.position {
             Position::Part(key) => (key.as_str(), 0),
@@ -111,13 +111,13 @@ impl ProblemFault {
     /// In an array, or a key of a table.
     pub fn at(self, path: impl AsRef<Path>, key: impl Into<String>) -> ProblemError {
         let (path, position) = (path.as_ref().to_owned(), Position::Part(key.into()));
-        Located::new(self, Place { path, position })
+        Located::new(self, FilePlace { path, position })
     }
 
     /// On a line of a text.
     pub(super) fn on(self, path: &Path, line: usize) -> ProblemError {
         let (path, position) = (path.to_owned(), Position::Line(line));
-        Located::new(self, Place { path, position })
+        Located::new(self, FilePlace { path, position })
     }
 
     /// For `map_err`.

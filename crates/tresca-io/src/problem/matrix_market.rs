@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use super::content::Source;
 use crate::atomic::OutputSet;
 use crate::error::WriteError;
-use crate::problem::arrays::{Dense, Sparse};
+use crate::problem::arrays::{DenseArray, Sparse};
 use crate::problem::content::{Content, Words};
 use crate::problem::error::{ProblemError, ProblemFault};
 
@@ -104,7 +104,7 @@ impl Source for Folder {
         })
     }
 
-    fn dense(&mut self, key: &str) -> Result<Dense, ProblemError> {
+    fn dense(&mut self, key: &str) -> Result<DenseArray, ProblemError> {
         if let Some(value) = self.table.get(key) {
             let number = |value: &toml::Value| {
                 value
@@ -116,8 +116,8 @@ impl Source for Folder {
                     .iter()
                     .map(number)
                     .collect::<Option<Vec<_>>>()
-                    .map(Dense::vector),
-                value => number(value).map(|value| Dense {
+                    .map(DenseArray::vector),
+                value => number(value).map(|value| DenseArray {
                     shape: Vec::new(),
                     values: vec![value],
                 }),
@@ -143,7 +143,7 @@ impl Source for Folder {
                 } else {
                     vec![rows, columns]
                 };
-                Dense { shape, values }
+                DenseArray { shape, values }
             }
         })
     }
@@ -162,7 +162,7 @@ impl Source for Folder {
 /// What a file holds.
 enum File {
     Sparse(Sparse),
-    Dense(Dense),
+    Dense(DenseArray),
 }
 
 /// The lines of a file that say something, with their numbers.
@@ -263,7 +263,7 @@ fn coordinates(lines: &mut Lines<'_>, symmetric: bool) -> Result<Sparse, Problem
 }
 
 /// Arrays stand by columns; of symmetric ones the lower triangle.
-fn array(lines: &mut Lines<'_>, symmetric: bool) -> Result<Dense, ProblemError> {
+fn array(lines: &mut Lines<'_>, symmetric: bool) -> Result<DenseArray, ProblemError> {
     let [rows, columns] = lines.counts("rows and columns")?;
     let mut values = vec![0.0; rows * columns];
     for column in 0..columns {
@@ -278,7 +278,7 @@ fn array(lines: &mut Lines<'_>, symmetric: bool) -> Result<Dense, ProblemError> 
             }
         }
     }
-    Ok(Dense {
+    Ok(DenseArray {
         shape: vec![rows, columns],
         values,
     })
@@ -364,7 +364,7 @@ fn coordinate_text(matrix: &Sparse, symmetric: bool) -> String {
     text
 }
 
-fn array_text(array: &Dense) -> String {
+fn array_text(array: &DenseArray) -> String {
     let (rows, columns) = match array.shape[..] {
         [rows, columns] => (rows, columns),
         _ => (array.values.len(), 1),

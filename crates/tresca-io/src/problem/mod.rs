@@ -9,7 +9,7 @@ mod error;
 mod matrix_market;
 mod npz;
 
-pub use arrays::{Dense, Sparse};
+pub use arrays::{DenseArray, Sparse};
 pub use content::{Content, KEYS, Words};
 pub use error::{ProblemError, ProblemFault};
 pub use matrix_market::write_folder;

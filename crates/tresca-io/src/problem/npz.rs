@@ -10,7 +10,7 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use super::content::Source;
 use crate::error::WriteError;
-use crate::problem::arrays::{Dense, Sparse};
+use crate::problem::arrays::{DenseArray, Sparse};
 use crate::problem::content::{Content, Words};
 use crate::problem::error::{ProblemError, ProblemFault};
 
@@ -30,7 +30,7 @@ pub(super) struct Reader {
 
 /// An array as it was found, numbers not looked at yet.
 enum Found {
-    Numbers(Dense),
+    Numbers(DenseArray),
     Words(Words),
 }
 
@@ -81,7 +81,7 @@ impl Reader {
     }
 
     /// An array of numbers.
-    fn numbers(&mut self, name: &str) -> Result<Dense, ProblemError> {
+    fn numbers(&mut self, name: &str) -> Result<DenseArray, ProblemError> {
         match self.array(name)? {
             Found::Numbers(dense) => Ok(dense),
             Found::Words(_) => Err(self.wrong(name, "numbers", "words")),
@@ -217,7 +217,7 @@ impl Source for Reader {
         })
     }
 
-    fn dense(&mut self, key: &str) -> Result<Dense, ProblemError> {
+    fn dense(&mut self, key: &str) -> Result<DenseArray, ProblemError> {
         if !self.has(key) {
             return Err(self.wrong(key, "a dense array", "parts of a sparse matrix"));
         }
@@ -291,7 +291,7 @@ fn read_array(file: NpyFile<impl Read>) -> Result<Found, String> {
             .collect(),
         _ => values,
     };
-    Ok(Found::Numbers(Dense { shape, values }))
+    Ok(Found::Numbers(DenseArray { shape, values }))
 }
 
 /// An archive that is written.
@@ -475,7 +475,7 @@ pub fn write_npz(out: &mut dyn Write, content: &Content) -> Result<(), WriteErro
 
 impl<W: Write + Seek> Archive<W> {
     /// Numbers of a problem: a limit may be infinite.
-    fn limits_allowed(&mut self, key: &str, array: &Dense) -> Result<(), WriteError> {
+    fn limits_allowed(&mut self, key: &str, array: &DenseArray) -> Result<(), WriteError> {
         if key == "limits" {
             return self.write(key, &array.shape, array.values.iter().copied());
         }

@@ -22,7 +22,7 @@ pub struct BodyFields<'a> {
     /// What the supports put on the nodes.
     pub reaction: Option<&'a [[f64; 3]]>,
     /// What contacts do at the nodes; of bodies that one reaches.
-    pub surface: Option<SurfaceFields<'a>>,
+    pub surface: Option<NodeContactFields<'a>>,
     /// A motion that nothing resists.
     pub unresisted_motion: Option<&'a [[f64; 3]]>,
     /// Facts about the run.
@@ -31,7 +31,7 @@ pub struct BodyFields<'a> {
 
 /// What contacts do at the nodes of a body, one value per node.
 #[derive(Clone, Copy, Debug)]
-pub struct SurfaceFields<'a> {
+pub struct NodeContactFields<'a> {
     /// Contact force on the body, all contacts together.
     pub force: &'a [[f64; 3]],
     /// Contact pressure, positive in compression.

@@ -6,7 +6,7 @@ mod contact;
 mod facts;
 pub mod names;
 
-pub use body::{BodyFields, SurfaceFields};
+pub use body::{BodyFields, NodeContactFields};
 pub use check::{CheckedBody, CheckedContact};
 pub use contact::{ContactFields, ContactState};
 pub use facts::{StepFacts, origin};

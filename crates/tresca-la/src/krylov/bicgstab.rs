@@ -10,7 +10,7 @@ use crate::vector::{axpy, dot, norm};
 
 /// Why the method stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum BicgstabOutcome {
     /// The caller's criterion was met.
     Converged,
     /// The allowed iterations are spent.
@@ -22,9 +22,10 @@ pub enum Outcome {
 
 /// What the method did.
 #[derive(Clone, Copy, Debug)]
-pub struct Record {
+#[non_exhaustive]
+pub struct BicgstabRecord {
     /// Why it stopped.
-    pub outcome: Outcome,
+    pub outcome: BicgstabOutcome,
     /// Iterations begun and finished, the half ones included.
     pub iterations: usize,
     /// Products with A, the one for the first residual included.
@@ -77,7 +78,7 @@ pub fn solve<A, M>(
     max_iterations: usize,
     mut stop: impl FnMut(f64) -> bool,
     workspace: &mut Workspace,
-) -> Record
+) -> BicgstabRecord
 where
     A: LinearOperator + ?Sized,
     M: LinearOperator + ?Sized,
@@ -97,8 +98,8 @@ where
         *r = b - *r;
     }
     shadow.copy_from_slice(r);
-    let mut record = Record {
-        outcome: Outcome::Converged,
+    let mut record = BicgstabRecord {
+        outcome: BicgstabOutcome::Converged,
         iterations: 0,
         products: 1,
         residual_norm: norm(r),
@@ -107,13 +108,13 @@ where
 
     while record.residual_norm != 0.0 && !stop(record.residual_norm) {
         if record.iterations == max_iterations {
-            record.outcome = Outcome::IterationLimit;
+            record.outcome = BicgstabOutcome::IterationLimit;
             break;
         }
         let rho_next = dot(shadow, r);
         let beta = (rho_next / rho) * (alpha / omega);
         if !usable(rho_next) || !beta.is_finite() {
-            record.outcome = Outcome::Breakdown;
+            record.outcome = BicgstabOutcome::Breakdown;
             break;
         }
         rho = rho_next;
@@ -127,7 +128,7 @@ where
         let shadow_v = dot(shadow, v);
         alpha = rho / shadow_v;
         if !usable(shadow_v) || !alpha.is_finite() {
-            record.outcome = Outcome::Breakdown;
+            record.outcome = BicgstabOutcome::Breakdown;
             break;
         }
         record.iterations += 1;
@@ -143,7 +144,7 @@ where
         record.products += 1;
         omega = dot(t, r) / dot(t, t);
         if !usable(omega) {
-            record.outcome = Outcome::Breakdown;
+            record.outcome = BicgstabOutcome::Breakdown;
             break;
         }
         axpy(omega, z, x);

@@ -148,7 +148,7 @@ impl ConjugateGradient {
 
 /// Why [`solve`] stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum CgOutcome {
     /// The residual norm reached the tolerance.
     Converged,
     /// The allowed iterations are spent.
@@ -159,9 +159,10 @@ pub enum Outcome {
 
 /// What [`solve`] did.
 #[derive(Clone, Copy, Debug)]
-pub struct Record {
+#[non_exhaustive]
+pub struct CgRecord {
     /// Why it stopped.
-    pub outcome: Outcome,
+    pub outcome: CgOutcome,
     /// Steps taken. Products spent: one more for the start, and one more for a
     /// direction that was given up.
     pub iterations: usize,
@@ -178,7 +179,7 @@ pub fn solve<A, M>(
     tolerance: f64,
     max_iterations: usize,
     workspace: &mut ConjugateGradient,
-) -> Record
+) -> CgRecord
 where
     A: LinearOperator + ?Sized,
     M: LinearOperator + ?Sized,
@@ -187,19 +188,19 @@ where
     let mut iterations = 0;
     let outcome = loop {
         if workspace.residual_norm() <= tolerance {
-            break Outcome::Converged;
+            break CgOutcome::Converged;
         }
         if iterations == max_iterations {
-            break Outcome::IterationLimit;
+            break CgOutcome::IterationLimit;
         }
         match workspace.propose(operator, preconditioner) {
             Proposal::Step { .. } => workspace.accept(x),
-            Proposal::Solved => break Outcome::Converged,
-            Proposal::NotPositiveDefinite => break Outcome::NotPositiveDefinite,
+            Proposal::Solved => break CgOutcome::Converged,
+            Proposal::NotPositiveDefinite => break CgOutcome::NotPositiveDefinite,
         }
         iterations += 1;
     };
-    Record {
+    CgRecord {
         outcome,
         iterations,
         residual_norm: workspace.residual_norm(),

@@ -11,6 +11,7 @@ use faer::{Mat, Side};
 
 /// Estimate of the largest eigenvalue, with everything that was paid for.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Estimate {
     /// Largest Ritz value θ: never above the largest eigenvalue (but for rounding).
     pub value: f64,

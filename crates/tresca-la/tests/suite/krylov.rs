@@ -31,7 +31,7 @@ fn cg_ends_after_as_many_steps_as_there_are_distinct_eigenvalues() {
         30,
         &mut workspace,
     );
-    assert_eq!(record.outcome, cg::Outcome::Converged);
+    assert_eq!(record.outcome, cg::CgOutcome::Converged);
     assert_eq!(record.iterations, 4);
     assert_eq!(operator.products, 5, "one per step and one for the start");
     assert_close(&x, &exact, 1e-9);
@@ -107,7 +107,7 @@ fn cg_reports_a_solved_and_an_indefinite_system() {
         5,
         &mut cg,
     );
-    assert_eq!(record.outcome, cg::Outcome::NotPositiveDefinite);
+    assert_eq!(record.outcome, cg::CgOutcome::NotPositiveDefinite);
 }
 
 #[test]
@@ -138,7 +138,7 @@ fn bicgstab_solves_nonsymmetric_systems_with_two_products_per_iteration() {
             |residual| residual <= goal,
             &mut bicgstab::Workspace::with_capacity(n),
         );
-        assert_eq!(record.outcome, bicgstab::Outcome::Converged);
+        assert_eq!(record.outcome, bicgstab::BicgstabOutcome::Converged);
         assert_eq!(record.products, operator.products);
         assert!(record.products <= 1 + 2 * record.iterations);
         assert!(record.products >= 2 * record.iterations);
@@ -168,7 +168,7 @@ fn bicgstab_preconditioner_changes_the_way_but_not_the_solution() {
         |residual| residual <= goal,
         &mut bicgstab::Workspace::default(),
     );
-    assert_eq!(record.outcome, bicgstab::Outcome::Converged);
+    assert_eq!(record.outcome, bicgstab::BicgstabOutcome::Converged);
     let left = norm(
         &b.iter()
             .zip(product(&mut operator, &x))
@@ -193,7 +193,7 @@ fn bicgstab_reports_breakdown_and_limit() {
         |_| false,
         &mut workspace,
     );
-    assert_eq!(record.outcome, bicgstab::Outcome::Breakdown);
+    assert_eq!(record.outcome, bicgstab::BicgstabOutcome::Breakdown);
     assert_eq!(x, [0.0, 0.0]);
     let values: Vec<f64> = (1..30).map(f64::from).collect();
     let record = bicgstab::solve(
@@ -205,7 +205,7 @@ fn bicgstab_reports_breakdown_and_limit() {
         |_| false,
         &mut workspace,
     );
-    assert_eq!(record.outcome, bicgstab::Outcome::IterationLimit);
+    assert_eq!(record.outcome, bicgstab::BicgstabOutcome::IterationLimit);
     assert_eq!(record.iterations, 3);
 }
 

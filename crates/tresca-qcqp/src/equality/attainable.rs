@@ -124,7 +124,7 @@ impl AttainableForces {
                 match block.set {
                     BlockSet::HalfLine(_) => unlimited(block.start, w[block.start]),
                     BlockSet::Line(_) => unlimited(block.start, size),
-                    BlockSet::Point(_) => 0.0,
+                    BlockSet::Origin(_) => 0.0,
                     BlockSet::Interval(_) | BlockSet::Disc(_) => match block.set.bound() {
                         Some(bound) if bound < UNBOUNDED => bound * size,
                         _ => unlimited(block.start, size),

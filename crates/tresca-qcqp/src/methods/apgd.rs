@@ -3,7 +3,7 @@
 //! Nesterov's method with the gradient restart of B. O'Donoghue and E. Candès,
 //! *Adaptive restart for accelerated gradient schemes*, Found. Comput. Math. 15 (2015).
 
-use super::run::{Run, Step};
+use super::run::{Advance, Run};
 use crate::point::{Point, gradient_step};
 use crate::status::Status;
 
@@ -13,7 +13,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let mut x = start;
     let mut z = x.clone();
     let mut t = 1.0_f64;
-    let mut step = Step::START;
+    let mut step = Advance::START;
     loop {
         if let Some(status) = run.judge(&x, step) {
             return status;
@@ -30,7 +30,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
             t = t_next;
         }
         x = next;
-        step = Step::full(0);
+        step = Advance::full(0);
     }
 }
 

@@ -152,7 +152,7 @@ pub(super) fn downhill(run: &mut Run, base: &Point, newton: &Point) -> Option<(P
 fn share_inside(block: &Block, from: &[f64], to: &[f64]) -> f64 {
     let i = block.start;
     let share = match block.set {
-        BlockSet::Line(_) | BlockSet::Point(_) => 1.0,
+        BlockSet::Line(_) | BlockSet::Origin(_) => 1.0,
         BlockSet::HalfLine(_) if to[i] < 0.0 => from[i] / (from[i] - to[i]),
         BlockSet::HalfLine(_) => 1.0,
         BlockSet::Interval(interval) if to[i].abs() > interval.bound => {

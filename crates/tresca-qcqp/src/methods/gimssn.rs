@@ -5,7 +5,7 @@
 //! step alone has this rate and CG only lowers q further.
 
 use super::imssn::AdaptivePrecision;
-use super::run::{Run, Step};
+use super::run::{Advance, Run};
 use crate::newton::reduced_space::ReducedSpace;
 use crate::newton::system::{Move, conjugate_gradients};
 use crate::point::Point;
@@ -18,7 +18,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let set = run.set.clone();
     let mut trial = vec![0.0; start.lambda.len()];
     let mut x = start;
-    let mut step = Step::START;
+    let mut step = Advance::START;
     loop {
         if let Some(status) = run.judge(&x, step) {
             return status;
@@ -45,6 +45,6 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
             run.settings.max_inner_iterations,
             stays_inside,
         );
-        step = Step::full(spent.iterations);
+        step = Advance::full(spent.iterations);
     }
 }

@@ -19,7 +19,7 @@
 //! point counts. If that bound too many of them, the method walks from face to face, downhill all the way (see `faces`).
 
 use super::faces::{downhill, pivot, walk};
-use super::run::{Run, Step};
+use super::run::{Advance, Run};
 use crate::active_set::ActiveSet;
 use crate::newton::operator_memory::NewtonMemory;
 use crate::newton::preconditioner::Preconditioner;
@@ -41,7 +41,7 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
     } = memory;
     let mut previous = f64::INFINITY;
     let mut lambda = start;
-    let mut step = Step::START;
+    let mut step = Advance::START;
     loop {
         if let Some(status) = run.judge(&lambda, step) {
             return status;
@@ -87,7 +87,7 @@ pub(super) fn run(run: &mut Run, memory: &mut NewtonMemory, start: Point) -> Sta
             walk(run, &lambda, x, active, newton, &mut newton_from)
         };
         lambda = next;
-        step = Step {
+        step = Advance {
             inner_iterations: inner,
             length,
         };

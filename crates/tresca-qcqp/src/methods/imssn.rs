@@ -1,6 +1,6 @@
 //! IMSSN: MSSN with CG of adaptive precision.
 
-use super::run::{Run, Step};
+use super::run::{Advance, Run};
 use crate::newton::reduced_space::ReducedSpace;
 use crate::newton::system::conjugate_gradients;
 use crate::point::Point;
@@ -40,7 +40,7 @@ impl AdaptivePrecision {
 pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let mut precision = AdaptivePrecision::new(run.settings);
     let mut x = start;
-    let mut step = Step::START;
+    let mut step = Advance::START;
     loop {
         let feasible = run.projected(&x);
         if let Some(status) = run.judge(&feasible, step) {
@@ -62,6 +62,6 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
             run.settings.max_inner_iterations,
             |_, _| true,
         );
-        step = Step::full(spent.iterations);
+        step = Advance::full(spent.iterations);
     }
 }

@@ -4,7 +4,7 @@
 //! pairs get λτ⁺ = g ŷ and the rest is an unconstrained minimisation of q:
 //! CG to full accuracy.
 
-use super::run::{Run, Step};
+use super::run::{Advance, Run};
 use crate::newton::reduced_space::ReducedSpace;
 use crate::newton::system::conjugate_gradients;
 use crate::newton::tangent::Tangent;
@@ -16,7 +16,7 @@ use tresca_la::krylov::Identity;
 /// Iterates may leave Λ; the projected ones are judged and returned.
 pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let mut x = start;
-    let mut step = Step::START;
+    let mut step = Advance::START;
     loop {
         let feasible = run.projected(&x);
         if let Some(status) = run.judge(&feasible, step) {
@@ -29,7 +29,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         x = run.point_unless(fixed, &x);
         let tangent = Tangent::new(run.operator, run.settings.inner_solver, space);
         step = if tangent.step(run.operator, &mut x) {
-            Step::full(1)
+            Advance::full(1)
         } else {
             let tolerance = run.full_accuracy();
             let space = tangent.space();
@@ -43,7 +43,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
                 run.settings.max_inner_iterations,
                 |_, _| true,
             );
-            Step::full(spent.iterations)
+            Advance::full(spent.iterations)
         };
     }
 }

@@ -23,14 +23,14 @@ const DROWNED: f64 = 1e-6;
 
 /// How an iterate was reached.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Step {
+pub(crate) struct Advance {
     pub inner_iterations: usize,
     pub length: f64,
 }
 
-impl Step {
+impl Advance {
     /// The step that leads to the start: none.
-    pub const START: Step = Step {
+    pub const START: Advance = Advance {
         inner_iterations: 0,
         length: 0.0,
     };
@@ -219,7 +219,7 @@ impl<'a> Run<'a> {
     }
 
     /// Records the feasible `point`, tells the observer, and says whether the run is over.
-    pub fn judge(&mut self, point: &Point, step: Step) -> Option<Status> {
+    pub fn judge(&mut self, point: &Point, step: Advance) -> Option<Status> {
         let (norm, active) = reduced_gradient(&self.set, point, 1.0 / self.sigma);
         let relative = relative(norm, self.reference);
         let objective = objective(point, self.rhs);
@@ -286,7 +286,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn record(&mut self, judged: &Judged, step: Step) -> IterationRecord {
+    fn record(&mut self, judged: &Judged, step: Advance) -> IterationRecord {
         let last = self.last.as_ref();
         IterationRecord {
             iteration: self.journal.records.len(),

@@ -10,7 +10,7 @@
 //!
 //! Nonsymmetric where pairs slip, so BiCGSTAB: two multiplications per inner iteration.
 
-use super::run::{Run, Step};
+use super::run::{Advance, Run};
 use crate::operator::dual_operator::DualOperator;
 use crate::point::Point;
 use crate::sets::product::ProductSet;
@@ -47,7 +47,7 @@ impl LinearOperator for NewtonOperator<'_> {
 /// λ⁺ = λ + δ. Iterates may leave Λ; the projected ones are judged and returned.
 pub(super) fn run(run: &mut Run, start: Point) -> Status {
     let mut x = start;
-    let mut step = Step::START;
+    let mut step = Advance::START;
     let mut workspace = bicgstab::Workspace::with_capacity(run.rhs.len());
     loop {
         let feasible = run.projected(&x);
@@ -63,7 +63,7 @@ pub(super) fn run(run: &mut Run, start: Point) -> Status {
         let (delta, iterations) = newton_direction(run, &y, &rhs, &mut workspace);
         let lambda = x.lambda.iter().zip(&delta).map(|(l, d)| l + d).collect();
         x = run.point(lambda);
-        step = Step::full(iterations);
+        step = Advance::full(iterations);
     }
 }
 
@@ -101,7 +101,7 @@ fn newton_direction(
             workspace,
         );
         iterations += record.iterations;
-        let broken = record.outcome == bicgstab::Outcome::Breakdown;
+        let broken = record.outcome == bicgstab::BicgstabOutcome::Breakdown;
         if !broken || record.iterations == 0 || iterations >= limit {
             return (delta, iterations);
         }

@@ -13,7 +13,7 @@
 //! ```
 
 use super::recycled_products::RecycledProducts;
-use super::reduced_space::{Column, ReducedSpace, galerkin};
+use super::reduced_space::{BasisColumn, ReducedSpace, galerkin};
 use crate::operator::local_model::{LocalBlock, LocalModel};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{self, BlockStructure};
@@ -72,11 +72,11 @@ struct LocalFactor {
 
 impl LocalFactor {
     fn new(space: &ReducedSpace, model: &LocalModel) -> Self {
-        let columns: Vec<Column> = space.columns().collect();
+        let columns: Vec<BasisColumn> = space.columns().collect();
         let dim = columns.len();
         match model {
             LocalModel::Diagonal(d) => {
-                let entry = |column: &Column| {
+                let entry = |column: &BasisColumn| {
                     let ([i, j], [v, w]) = (column.rows, column.weights);
                     let square = d[i] * v * v + d[j] * w * w + column.curvature;
                     square.sqrt().recip()
@@ -142,7 +142,7 @@ fn column(lower: &Mat<f64>, j: usize) -> &[f64] {
 }
 
 /// L⁻¹ of every block that has columns of Z, with the numbers of these columns.
-fn factor_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, Mat<f64>)> {
+fn factor_blocks(columns: &[BasisColumn], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, Mat<f64>)> {
     let unknowns = 1 + blocks
         .iter()
         .flat_map(|b| &b.unknowns)
@@ -161,7 +161,7 @@ fn factor_blocks(columns: &[Column], blocks: &[LocalBlock]) -> Vec<(Vec<usize>, 
     }
     let inverse = |(members, block): (Vec<usize>, &LocalBlock)| {
         let number = place[block.unknowns[0]].0;
-        let own: Vec<Column> = members.iter().map(|&k| columns[k]).collect();
+        let own: Vec<BasisColumn> = members.iter().map(|&k| columns[k]).collect();
         // A pair that is split between two blocks counts with its share in the first.
         let entry = |i: usize, j: usize| match (place[i], place[j]) {
             ((a, row), (b, column)) if a == number && b == number => block.matrix[(row, column)],
@@ -353,7 +353,7 @@ mod tests {
                         }
                     }
                 }
-                let columns: Vec<Column> = space.columns().collect();
+                let columns: Vec<BasisColumn> = space.columns().collect();
                 let lower = galerkin(&columns, |i, j| full[(i, j)]);
                 let mut preconditioner =
                     Preconditioner::new(&space, &model, &mut recycled, &mut memory);

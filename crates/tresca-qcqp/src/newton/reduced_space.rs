@@ -110,13 +110,13 @@ impl ReducedSpace {
     }
 
     /// The columns of Z in order, with the diagonal of C.
-    pub fn columns(&self) -> impl Iterator<Item = Column> {
-        let units = self.units.iter().map(|&i| Column {
+    pub fn columns(&self) -> impl Iterator<Item = BasisColumn> {
+        let units = self.units.iter().map(|&i| BasisColumn {
             rows: [i, i],
             weights: [1.0, 0.0],
             curvature: 0.0,
         });
-        let tangents = self.tangents.iter().map(|tangent| Column {
+        let tangents = self.tangents.iter().map(|tangent| BasisColumn {
             rows: [tangent.start, tangent.start + 1],
             weights: tangent.t,
             curvature: tangent.curvature,
@@ -134,7 +134,7 @@ impl ReducedSpace {
 
     /// ZᵀAZ + C as a dense matrix, lower triangle only. Columns are computed side by side.
     pub fn assemble(&self, a: &dyn SymmetricEntries) -> Mat<f64> {
-        let columns: Vec<Column> = self.columns().collect();
+        let columns: Vec<BasisColumn> = self.columns().collect();
         let order = columns.len();
         let mut matrix = Mat::zeros(order, order);
         let one = |(j, mut out): (usize, ColMut<'_, f64>)| {
@@ -166,7 +166,7 @@ impl ReducedSpace {
 
 /// A column of Z: at most two entries. A unit vector has the weights (1, 0).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Column {
+pub(crate) struct BasisColumn {
     pub rows: [usize; 2],
     pub weights: [f64; 2],
     /// Its diagonal entry of C.
@@ -174,7 +174,7 @@ pub(crate) struct Column {
 }
 
 /// ZᵀMZ + C for some columns of Z and the entries of M, lower triangle only.
-pub(crate) fn galerkin(columns: &[Column], entry: impl Fn(usize, usize) -> f64) -> Mat<f64> {
+pub(crate) fn galerkin(columns: &[BasisColumn], entry: impl Fn(usize, usize) -> f64) -> Mat<f64> {
     let mut matrix = Mat::zeros(columns.len(), columns.len());
     for (j, right) in columns.iter().enumerate() {
         for (i, left) in columns.iter().enumerate().skip(j) {

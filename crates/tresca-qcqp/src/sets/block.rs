@@ -5,7 +5,7 @@ use super::disc::Disc;
 use super::half_line::HalfLine;
 use super::interval::Interval;
 use super::line::Line;
-use super::point::Point;
+use super::origin::Origin;
 use std::ops::Range;
 
 /// One factor of the product.
@@ -20,7 +20,7 @@ pub enum BlockSet {
     /// ‖x‖ ≤ g in ℝ².
     Disc(Disc),
     /// {0}.
-    Point(Point),
+    Origin(Origin),
 }
 
 impl BlockSet {
@@ -31,7 +31,7 @@ impl BlockSet {
             BlockSet::HalfLine(set) => set,
             BlockSet::Interval(set) => set,
             BlockSet::Disc(set) => set,
-            BlockSet::Point(set) => set,
+            BlockSet::Origin(set) => set,
         }
     }
 
@@ -39,7 +39,7 @@ impl BlockSet {
     pub fn bound(&self) -> Option<f64> {
         match *self {
             BlockSet::Interval(Interval { bound }) | BlockSet::Disc(Disc { bound }) => Some(bound),
-            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => None,
+            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Origin(_) => None,
         }
     }
 
@@ -48,7 +48,7 @@ impl BlockSet {
         match self {
             BlockSet::Interval(_) => BlockSet::Interval(Interval { bound }),
             BlockSet::Disc(_) => BlockSet::Disc(Disc { bound }),
-            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => self,
+            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Origin(_) => self,
         }
     }
 }

@@ -11,7 +11,7 @@ pub(crate) mod disc;
 pub(crate) mod half_line;
 pub(crate) mod interval;
 pub(crate) mod line;
-pub(crate) mod point;
+pub(crate) mod origin;
 pub(crate) mod product;
 
 pub use block::{Block, BlockSet};
@@ -20,5 +20,5 @@ pub use disc::Disc;
 pub use half_line::HalfLine;
 pub use interval::Interval;
 pub use line::Line;
-pub use point::Point;
+pub use origin::Origin;
 pub use product::ProductSet;

@@ -7,6 +7,7 @@ use std::fmt;
 
 /// What there is to know of one option.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct OptionInfo {
     /// Key in the case file and name of the field.
     pub name: &'static str,

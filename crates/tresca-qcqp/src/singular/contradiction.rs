@@ -50,7 +50,7 @@ fn keep_unlimited(set: &ProductSet, y: &mut [f64]) {
         match block.set {
             BlockSet::Line(_) => {}
             BlockSet::HalfLine(_) => own.iter_mut().for_each(|v| *v = v.max(0.0)),
-            BlockSet::Point(_) | BlockSet::Interval(_) | BlockSet::Disc(_) => own.fill(0.0),
+            BlockSet::Origin(_) | BlockSet::Interval(_) | BlockSet::Disc(_) => own.fill(0.0),
         }
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::common::problems::{KINDS, Kind, random, rng};
 use crate::common::{Plain, distance, norm, oracle, settings};
-use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine, Point};
-use tresca_qcqp::{DualSolution, InnerSolver, Method, ProductSet, Settings, Silent, Status, solve};
+use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine, Origin};
+use tresca_qcqp::{
+    DualSolution, InnerSolver, Method, ProductSet, Settings, Status, Unobserved, solve,
+};
 
 const GLOBAL: [Method; 3] = [Method::Gimssn, Method::Grssn, Method::Apgd];
 
@@ -299,7 +301,7 @@ fn unknowns_without_effect_are_harmless() {
             padded.b.push(b);
         }
         let mut blocks = plain.set.blocks().to_vec();
-        let point = BlockSet::Point(Point);
+        let point = BlockSet::Origin(Origin);
         blocks.insert(
             2,
             Block {
@@ -451,11 +453,11 @@ fn a_second_problem_on_the_same_operator_pays_for_no_estimate() {
             ..settings(method, 1e-8)
         };
         let mut problem = plain.problem();
-        let first = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+        let first = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
         assert!(first.figures.n_a_setup > 0);
         problem.set_rhs(other.b.clone()).unwrap();
         problem.set_set(other.set.clone()).unwrap();
-        let second = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+        let second = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
         let fresh = Plain {
             b: other.b.clone(),
             set: other.set.clone(),

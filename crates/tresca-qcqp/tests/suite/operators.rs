@@ -9,7 +9,7 @@ use tresca_la::{BodySolver, Ordering, Parallelism, SparseCholesky, SymmetricMatr
 use tresca_qcqp::operator::{Condensed, Coupling, Dense, Factored, LocalModel, groups};
 use tresca_qcqp::sets::{BlockSet, Disc, Interval};
 use tresca_qcqp::{
-    DualOperator, DualProblem, InnerSolver, Method, ProductSet, Settings, Silent, solve,
+    DualOperator, DualProblem, InnerSolver, Method, ProductSet, Settings, Unobserved, solve,
 };
 
 const PAIRS: usize = 12;
@@ -247,7 +247,7 @@ fn engines_lead_to_the_same_solution() {
             inner_solver,
             ..settings(Method::Grssn, 1e-11)
         };
-        let solution = solve(&mut problem.unwrap(), &settings, None, &mut Silent).unwrap();
+        let solution = solve(&mut problem.unwrap(), &settings, None, &mut Unobserved).unwrap();
         assert!(solution.status.is_converged(), "{}", solution.status);
         (solution.lambda, solution.figures.n_a)
     };
@@ -306,7 +306,7 @@ fn held_pairs_are_harmless_in_every_engine() {
             ..settings(method, 1e-10)
         };
         let mut problem = DualProblem::new(Boxed(operator), rhs.to_vec(), set(held)).unwrap();
-        let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+        let solution = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
         assert!(
             solution.status.is_converged(),
             "{method}: {}",

@@ -8,8 +8,8 @@ use tresca_la::PackedLower;
 use tresca_qcqp::operator::{Dense, LocalModel};
 use tresca_qcqp::sets::{Block, BlockSet, Disc, HalfLine};
 use tresca_qcqp::{
-    DualOperator, DualProblem, IterationRecord, Method, ProductSet, QcqpError, Settings, Silent,
-    Status, solve,
+    DualOperator, DualProblem, IterationRecord, Method, ProductSet, QcqpError, Settings, Status,
+    Unobserved, solve,
 };
 
 #[test]
@@ -162,7 +162,12 @@ fn a_product_that_is_not_finite_is_caught_at_once() {
             left,
         };
         let mut problem = DualProblem::new(operator, plain.b.clone(), plain.set.clone()).unwrap();
-        solve(&mut problem, &settings(method, 1e-12), None, &mut Silent)
+        solve(
+            &mut problem,
+            &settings(method, 1e-12),
+            None,
+            &mut Unobserved,
+        )
     };
     for &method in Method::ALL {
         assert!(
@@ -253,7 +258,7 @@ fn wrong_input_is_refused_with_the_place() {
         &mut plain.problem(),
         &Settings::default(),
         Some(start[..].into()),
-        &mut Silent,
+        &mut Unobserved,
     )
     .unwrap_err();
     assert!(matches!(
@@ -290,7 +295,7 @@ fn operators_that_cannot_be_dual_operators_are_refused() {
         let set = ProductSet::contact_3d(&[1.0; 3]).unwrap();
         let operator = Any(Mat::from_fn(9, 9, entry), Default::default());
         let mut problem = DualProblem::new(operator, vec![1.0; 9], set).unwrap();
-        solve(&mut problem, &Settings::default(), None, &mut Silent).unwrap_err()
+        solve(&mut problem, &Settings::default(), None, &mut Unobserved).unwrap_err()
     };
     assert_eq!(refusal(&|_, _| 0.0), QcqpError::ZeroOperator);
     let skew = |i: usize, j: usize| {

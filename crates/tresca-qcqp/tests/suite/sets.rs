@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use tresca_qcqp::ProductSet;
 use tresca_qcqp::sets::{
-    Block, BlockSet, BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Point,
+    Block, BlockSet, BlockState, ConvexSet, Disc, HalfLine, Interval, Line, Origin,
 };
 
 fn any_set() -> impl Strategy<Value = BlockSet> {
@@ -11,7 +11,7 @@ fn any_set() -> impl Strategy<Value = BlockSet> {
     prop_oneof![
         Just(BlockSet::Line(Line)),
         Just(BlockSet::HalfLine(HalfLine)),
-        Just(BlockSet::Point(Point)),
+        Just(BlockSet::Origin(Origin)),
         bound
             .clone()
             .prop_map(|bound| BlockSet::Interval(Interval { bound })),
@@ -149,7 +149,7 @@ proptest! {
         prop_assert_eq!(p, expected);
         let counts = active.counts();
         // Neither a line nor a point has two sides.
-        let sideless = |block: &&Block| matches!(block.set, BlockSet::Line(_) | BlockSet::Point(_));
+        let sideless = |block: &&Block| matches!(block.set, BlockSet::Line(_) | BlockSet::Origin(_));
         let others = blocks.iter().filter(sideless).count();
         prop_assert_eq!(counts.open + counts.closed + counts.stick + counts.slip + others, blocks.len());
         prop_assert_eq!(active.changes(&active), 0);

@@ -7,8 +7,8 @@ use faer::{ColRef, Mat};
 use tresca_qcqp::operator::Dense;
 use tresca_qcqp::sets::{Block, BlockSet, Line};
 use tresca_qcqp::{
-    DualProblem, DualSolution, InnerSolver, Method, ProductSet, QcqpError, Settings, Silent,
-    Tangent, solve,
+    DualProblem, DualSolution, InnerSolver, Method, ProductSet, QcqpError, Settings, Tangent,
+    Unobserved, solve,
 };
 
 const PAIRS: usize = 8;
@@ -16,7 +16,7 @@ const CONDITION: f64 = 30.0;
 
 fn solved(plain: &Plain, settings: &Settings) -> (DualProblem<'static>, DualSolution) {
     let mut problem = plain.problem();
-    let solution = solve(&mut problem, settings, None, &mut Silent).unwrap();
+    let solution = solve(&mut problem, settings, None, &mut Unobserved).unwrap();
     assert!(solution.status.is_converged());
     (problem, solution)
 }
@@ -179,7 +179,7 @@ fn what_does_not_fit_or_cannot_be_solved_is_an_error() {
     let set = ProductSet::new(2, vec![line(0), line(1)]).unwrap();
     let mut problem = DualProblem::new(Dense::new(packed), vec![1.0, 0.0], set).unwrap();
     let settings = exact(InnerSolver::Auto);
-    let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+    let solution = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
     let tangent = Tangent::at(&problem, &solution, &settings).unwrap();
     let mut response = |v: &[f64]| tangent.response(&mut problem, &settings, v, 1e-10);
     assert!(distance(&response(&[2.0, 0.0]).unwrap(), &[2.0, 0.0]) <= 1e-12);

@@ -5,7 +5,9 @@ use crate::common::problems::{
 };
 use crate::common::{Plain, distance, norm, settings};
 use tresca_qcqp::operator::{Dense, LocalModel};
-use tresca_qcqp::{DualOperator, DualProblem, Method, ProductSet, Settings, Silent, Status, solve};
+use tresca_qcqp::{
+    DualOperator, DualProblem, Method, ProductSet, Settings, Status, Unobserved, solve,
+};
 
 /// q(λ^{k+1}) − q* ≤ η (q(λᵏ) − q*) and ‖λᵏ − λ*‖ ≤ √(2(q(λ⁰) − q*)/σmin) η^{k/2}, with
 /// η = 1 − ρσmin for ρ ≤ 1/σmax and 1 − (2/σmax − ρ)σmin above.
@@ -170,7 +172,13 @@ fn grssn_survives_an_estimate_of_the_spectrum_that_is_too_low() {
         };
         let mut problem = DualProblem::new(spike, plain.b.clone(), plain.set.clone()).unwrap();
         let start = normals(&mut problems::rng(seed), n);
-        let solution = solve(&mut problem, &settings, Some(start[..].into()), &mut Silent).unwrap();
+        let solution = solve(
+            &mut problem,
+            &settings,
+            Some(start[..].into()),
+            &mut Unobserved,
+        )
+        .unwrap();
         assert!(solution.figures.sigma_max < 0.1 * top);
         assert_eq!(solution.status, Status::Converged);
         for record in &solution.records {

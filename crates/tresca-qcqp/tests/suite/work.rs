@@ -9,7 +9,7 @@ use tresca_qcqp::operator::{Dense, LocalModel};
 use tresca_qcqp::sets::{Block, BlockSet, Disc, Interval};
 use tresca_qcqp::{
     CoulombMethod, DualOperator, DualProblem, DualSolution, InnerSolver, Method, ProductSet,
-    Settings, Silent, Status, solve,
+    Settings, Status, Unobserved, solve,
 };
 
 /// Counts the products that really happen, apart from the operator's own counter.
@@ -60,7 +60,7 @@ fn every_multiplication_is_counted() {
                     &mut problem,
                     &settings(method, 1e-8),
                     start.map(Into::into),
-                    &mut Silent,
+                    &mut Unobserved,
                 )
                 .unwrap();
                 assert_eq!(
@@ -235,7 +235,7 @@ fn work_of_outer_iterations_stays_within_its_band() {
             settings.coulomb = coulomb;
             problem = problem.with_coulomb(half.law(0.5)).unwrap();
         }
-        let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+        let solution = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
         assert_eq!(solution.status, Status::Converged);
         let found = 1 + solution.records.last().unwrap().outer;
         let within = |found: usize, expected: usize| {

@@ -15,11 +15,11 @@ use super::matrix::Matrix;
 use super::note::Note;
 use super::parts::Stiffness;
 use super::problem::Kernel;
-use crate::body::{Body, FactorFailure};
+use crate::body::{FactorFailure, SystemBody};
 use crate::factors::{Factors, share_of_threads};
 
 /// The dofs of K that are a body's own, the body, its solver, and what there is to say of it.
-type FactoredPart = (Vec<usize>, Body, Arc<dyn BodySolver>, Vec<Note>);
+type FactoredPart = (Vec<usize>, SystemBody, Arc<dyn BodySolver>, Vec<Note>);
 
 /// Parts up to this size are lumped into one body, and their kernels found by dense eigenvalues: supported
 /// dofs that were left in K are parts of size 1, and there may be thousands.
@@ -29,7 +29,7 @@ const SMALL: usize = 200;
 pub(super) struct Bodies {
     /// Where the dofs of each body stand in the caller's numbering, ascending.
     pub dofs: BodyDofs,
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<SystemBody>,
     pub factors: Factors,
 }
 
@@ -339,7 +339,7 @@ impl<'a> Draft<'a> {
     }
 
     /// Its dofs, and the body with its floating parts grounded.
-    fn grounded(self, kernels: &[PartKernel]) -> Result<(Vec<usize>, Body), AlgebraicError> {
+    fn grounded(self, kernels: &[PartKernel]) -> Result<(Vec<usize>, SystemBody), AlgebraicError> {
         let scales = kernel::scales(&self.stiffness);
         let mut floating = Vec::new();
         for (local, kernel) in kernels {
@@ -365,7 +365,7 @@ impl<'a> Draft<'a> {
             });
         }
         let grounding = (!floating.is_empty()).then(|| ground(&floating, self.dofs.len()));
-        let body = Body::new(self.stiffness, grounding, self.coupling);
+        let body = SystemBody::new(self.stiffness, grounding, self.coupling);
         Ok((self.dofs, body))
     }
 }

@@ -3,7 +3,7 @@
 use tresca_contact::Mobility;
 
 use super::error::AlgebraicError;
-use super::friction::Law;
+use super::friction::PairLaw;
 use super::matrix::Matrix;
 use super::note::{Note, Row};
 use crate::layout::Layout;
@@ -103,12 +103,16 @@ pub(super) fn named(row: usize, pairs: usize) -> Row {
 
 /// Where the pairs stand in λ.
 pub(super) fn layout(
-    laws: &[Law],
+    laws: &[PairLaw],
     mobility: &[Mobility],
     tangents: usize,
 ) -> Result<Layout, AlgebraicError> {
-    let needs_tangents =
-        |law: &Law| !matches!(law, Law::Frictionless | Law::Bilateral { bound: 0.0 });
+    let needs_tangents = |law: &PairLaw| {
+        !matches!(
+            law,
+            PairLaw::Frictionless | PairLaw::Bilateral { bound: 0.0 }
+        )
+    };
     if tangents == 0
         && let Some(pair) = laws.iter().position(needs_tangents)
     {
@@ -123,10 +127,10 @@ pub(super) fn layout(
 }
 
 /// Says so when a law has two figures that differ, and there is one tangent.
-pub(super) fn note_ignored_figures(laws: &[Law], tangents: usize, notes: &mut Vec<Note>) {
-    let differ = |law: &Law| match law {
-        Law::Orthotropic { bounds: [a, b] } => a != b,
-        Law::Coulomb {
+pub(super) fn note_ignored_figures(laws: &[PairLaw], tangents: usize, notes: &mut Vec<Note>) {
+    let differ = |law: &PairLaw| match law {
+        PairLaw::Orthotropic { bounds: [a, b] } => a != b,
+        PairLaw::Coulomb {
             coefficients: [a, b],
             ..
         } => a != b,

@@ -8,9 +8,9 @@ use tresca_qcqp::{DualProblem, Settings, Start};
 
 use super::check;
 use super::error::AlgebraicError;
-use super::friction::{Friction, Law};
+use super::friction::{Friction, PairLaw};
 use super::note::Note;
-use super::operator::{Function, Matrix, Operator, Scaling};
+use super::operator::{FunctionOperator, MatrixOperator, Operator, Scaling};
 use super::solution::{Forces, Solution};
 use crate::contradiction::Contradiction;
 use crate::description::Times;
@@ -23,7 +23,7 @@ use crate::solved::{Measured, Solved};
 
 /// min ½ λᵀAλ − λᵀb over the admissible λ = \[λν (m); λτ ((d−1)m, components of a pair adjacent)\].
 ///
-/// Aλ − b is \[gap left; −slip\]: with the matrices of a [`Problem`](super::Problem), A = B K⁻¹ Bᵀ and
+/// Aλ − b is \[gap left; −slip\]: with the matrices of a [`MatrixProblem`](super::MatrixProblem), A = B K⁻¹ Bᵀ and
 /// b = B K⁻¹ f − \[d; 0\].
 pub struct Dual<'a> {
     /// A.
@@ -95,7 +95,7 @@ pub fn solve_dual(
     check::vector("the right-hand side b", &rhs, order, "order of A")?;
     let laws = friction.laws(m)?;
     let layout = check::layout(&laws, &vec![Mobility::FULL; m], tangents)?;
-    let slidings: Vec<_> = laws.iter().map(Law::sliding).collect();
+    let slidings: Vec<_> = laws.iter().map(PairLaw::sliding).collect();
     let mut notes = Vec::new();
     check::note_ignored_figures(&laws, tangents, &mut notes);
     if let Operator::Dense { asymmetry, .. } = operator
@@ -128,7 +128,7 @@ pub fn solve_dual(
     let scaling = Scaling::new(&layout);
     let mut problem = match operator {
         Operator::Dense { matrix, .. } => {
-            DualProblem::new(Matrix::new(matrix, scaling), weighted_rhs, set)?
+            DualProblem::new(MatrixOperator::new(matrix, scaling), weighted_rhs, set)?
         }
         Operator::Product {
             apply, diagonal, ..
@@ -137,7 +137,11 @@ pub fn solve_dual(
                 check::vector("the diagonal of A", diagonal, order, "order of A")?;
             }
             let diagonal = diagonal.unwrap_or_else(|| vec![1.0; order]);
-            DualProblem::new(Function::new(apply, diagonal, scaling), weighted_rhs, set)?
+            DualProblem::new(
+                FunctionOperator::new(apply, diagonal, scaling),
+                weighted_rhs,
+                set,
+            )?
         }
     }
     .with_coulomb(coulomb)?;

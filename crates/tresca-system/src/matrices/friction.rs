@@ -8,7 +8,7 @@ use super::error::AlgebraicError;
 /// of T, in the plane the first to the one there is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Law {
+pub enum PairLaw {
     /// Nothing resists sliding.
     Frictionless,
     /// ‖λτ‖ ≤ `bound`, whatever the normal force.
@@ -38,15 +38,15 @@ pub enum Law {
     },
 }
 
-impl Law {
+impl PairLaw {
     /// Tresca's law with a slip bound (a force).
     pub fn tresca(bound: f64) -> Self {
-        Law::Tresca { bound }
+        PairLaw::Tresca { bound }
     }
 
     /// Isotropic Coulomb friction without a limit.
     pub fn coulomb(coefficient: f64) -> Self {
-        Law::Coulomb {
+        PairLaw::Coulomb {
             coefficients: [coefficient; 2],
             limit: f64::INFINITY,
         }
@@ -55,36 +55,38 @@ impl Law {
     /// The word for it, as everywhere.
     pub fn name(&self) -> &'static str {
         let number = match self {
-            Law::Frictionless => 0,
-            Law::Tresca { .. } => 1,
-            Law::Orthotropic { .. } => 2,
-            Law::Coulomb { .. } => 3,
-            Law::Tied => 4,
-            Law::Bilateral { .. } => 5,
+            PairLaw::Frictionless => 0,
+            PairLaw::Tresca { .. } => 1,
+            PairLaw::Orthotropic { .. } => 2,
+            PairLaw::Coulomb { .. } => 3,
+            PairLaw::Tied => 4,
+            PairLaw::Bilateral { .. } => 5,
         };
         FrictionLaw::NAMES[number]
     }
 
     pub(crate) fn opening(&self) -> Opening {
         match self {
-            Law::Tied | Law::Bilateral { .. } => Opening::Never,
+            PairLaw::Tied | PairLaw::Bilateral { .. } => Opening::Never,
             _ => Opening::Unilateral,
         }
     }
 
     pub(crate) fn sliding(&self) -> Sliding {
         match *self {
-            Law::Frictionless => Sliding::Bounded([0.0; 2]),
-            Law::Tresca { bound } | Law::Bilateral { bound } => Sliding::Bounded([bound; 2]),
-            Law::Orthotropic { bounds } => Sliding::Bounded(bounds),
-            Law::Coulomb {
+            PairLaw::Frictionless => Sliding::Bounded([0.0; 2]),
+            PairLaw::Tresca { bound } | PairLaw::Bilateral { bound } => {
+                Sliding::Bounded([bound; 2])
+            }
+            PairLaw::Orthotropic { bounds } => Sliding::Bounded(bounds),
+            PairLaw::Coulomb {
                 coefficients,
                 limit,
             } => Sliding::Coulomb {
                 coefficients,
                 limit,
             },
-            Law::Tied => Sliding::Never,
+            PairLaw::Tied => Sliding::Never,
         }
     }
 
@@ -98,12 +100,12 @@ impl Law {
         };
         let finite = |what, value: f64| number(what, value, value.is_finite());
         match *self {
-            Law::Frictionless | Law::Tied => Ok(()),
-            Law::Tresca { bound } | Law::Bilateral { bound } => finite("slip bound", bound),
-            Law::Orthotropic { bounds } => bounds
+            PairLaw::Frictionless | PairLaw::Tied => Ok(()),
+            PairLaw::Tresca { bound } | PairLaw::Bilateral { bound } => finite("slip bound", bound),
+            PairLaw::Orthotropic { bounds } => bounds
                 .into_iter()
                 .try_for_each(|bound| finite("slip bound", bound)),
-            Law::Coulomb {
+            PairLaw::Coulomb {
                 coefficients,
                 limit,
             } => {
@@ -119,19 +121,19 @@ impl Law {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Friction {
     /// One law for all.
-    Same(Law),
+    Same(PairLaw),
     /// One law for each pair.
-    PerPair(Vec<Law>),
+    PerPair(Vec<PairLaw>),
 }
 
-impl From<Law> for Friction {
-    fn from(law: Law) -> Self {
+impl From<PairLaw> for Friction {
+    fn from(law: PairLaw) -> Self {
         Friction::Same(law)
     }
 }
 
-impl From<Vec<Law>> for Friction {
-    fn from(laws: Vec<Law>) -> Self {
+impl From<Vec<PairLaw>> for Friction {
+    fn from(laws: Vec<PairLaw>) -> Self {
         Friction::PerPair(laws)
     }
 }
@@ -139,7 +141,7 @@ impl From<Vec<Law>> for Friction {
 impl Friction {
     /// Tresca's law with a slip bound (a force) for each pair.
     pub fn tresca(bounds: &[f64]) -> Self {
-        Friction::PerPair(bounds.iter().map(|&bound| Law::tresca(bound)).collect())
+        Friction::PerPair(bounds.iter().map(|&bound| PairLaw::tresca(bound)).collect())
     }
 
     /// The law of each of `pairs` pairs, checked. In the plane a law with two figures is one whose second
@@ -147,7 +149,7 @@ impl Friction {
     ///
     /// # Errors
     /// For another number of laws, and figures that are no numbers ≥ 0.
-    pub fn laws(&self, pairs: usize) -> Result<Vec<Law>, AlgebraicError> {
+    pub fn laws(&self, pairs: usize) -> Result<Vec<PairLaw>, AlgebraicError> {
         let laws = match self {
             Friction::Same(law) => vec![*law; pairs],
             Friction::PerPair(laws) if laws.len() == pairs => laws.clone(),
@@ -177,16 +179,22 @@ mod tests {
         let tractions = FrictionLaw::Bilateral {
             bound: Some(bound()),
         };
-        assert_eq!(Law::Bilateral { bound: 1.0 }.name(), tractions.name());
+        assert_eq!(PairLaw::Bilateral { bound: 1.0 }.name(), tractions.name());
         let tractions = FrictionLaw::Orthotropic {
             bounds: [bound(), bound()],
             axis: [1.0, 0.0, 0.0],
         };
-        let forces = Law::Orthotropic { bounds: [1.0; 2] };
+        let forces = PairLaw::Orthotropic { bounds: [1.0; 2] };
         assert_eq!(forces.name(), tractions.name());
-        assert_eq!(Law::tresca(1.0).name(), FrictionLaw::tresca(1.0).name());
-        assert_eq!(Law::coulomb(0.3).name(), FrictionLaw::coulomb(0.3).name());
-        assert_eq!(Law::Tied.name(), FrictionLaw::Tied.name());
-        assert_eq!(Law::Frictionless.name(), FrictionLaw::Frictionless.name());
+        assert_eq!(PairLaw::tresca(1.0).name(), FrictionLaw::tresca(1.0).name());
+        assert_eq!(
+            PairLaw::coulomb(0.3).name(),
+            FrictionLaw::coulomb(0.3).name()
+        );
+        assert_eq!(PairLaw::Tied.name(), FrictionLaw::Tied.name());
+        assert_eq!(
+            PairLaw::Frictionless.name(),
+            FrictionLaw::Frictionless.name()
+        );
     }
 }

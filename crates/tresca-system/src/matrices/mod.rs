@@ -24,17 +24,17 @@
 //!
 //! ```
 //! use tresca_qcqp::Settings;
-//! use tresca_system::matrices::{Law, Matrix, Problem, solve};
+//! use tresca_system::matrices::{Matrix, MatrixProblem, PairLaw, solve};
 //! use tresca_system::progress::Silent;
 //!
 //! // A mass on two springs (1 N/m along the normal, 2 N/m along the tangent), 0.5 m above a rough wall.
 //! let k = Matrix::from_dense((2, 2), &[1.0, 0.0, 0.0, 2.0])?;
 //! let n = Matrix::from_dense((1, 2), &[1.0, 0.0])?;
 //! let t = Matrix::from_dense((1, 2), &[0.0, 1.0])?;
-//! let problem = Problem::new(k, n, vec![2.0, 1.0])
+//! let problem = MatrixProblem::new(k, n, vec![2.0, 1.0])
 //!     .with_tangential(t)
 //!     .with_gap(vec![0.5])
-//!     .with_friction(Law::coulomb(0.2));
+//!     .with_friction(PairLaw::coulomb(0.2));
 //!
 //! let solution = solve(&problem, &Settings::default(), &mut Silent)?;
 //! assert!(solution.status.is_converged());
@@ -68,10 +68,10 @@ mod solution;
 
 pub use dual::{Dual, solve_dual};
 pub use error::{AlgebraicError, MatrixError};
-pub use friction::{Friction, Law};
+pub use friction::{Friction, PairLaw};
 pub use matrix::{Index, Matrix};
 pub use note::{Note, Row};
 pub use operator::{Operator, Product};
 pub use prepared::{PreparedProblem, prepare, solve};
-pub use problem::{Blocks, Conditions, Kernel, Problem};
+pub use problem::{Blocks, Conditions, Kernel, MatrixProblem};
 pub use solution::{Forces, Solution};

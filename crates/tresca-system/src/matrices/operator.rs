@@ -137,13 +137,13 @@ impl Scaling {
 }
 
 /// diag(w) A diag(w), A a matrix.
-pub(super) struct Matrix<'a> {
+pub(super) struct MatrixOperator<'a> {
     matrix: SquareMatrix<'a>,
     scaling: Scaling,
     tally: Tally,
 }
 
-impl<'a> Matrix<'a> {
+impl<'a> MatrixOperator<'a> {
     pub(super) fn new(matrix: SquareMatrix<'a>, scaling: Scaling) -> Self {
         let tally = Tally::default();
         Self {
@@ -154,14 +154,14 @@ impl<'a> Matrix<'a> {
     }
 }
 
-impl SymmetricEntries for Matrix<'_> {
+impl SymmetricEntries for MatrixOperator<'_> {
     fn entry(&self, i: usize, j: usize) -> f64 {
         let weights = &self.scaling.weights;
         weights[i] * weights[j] * self.matrix.entry(i, j)
     }
 }
 
-impl DualOperator for Matrix<'_> {
+impl DualOperator for MatrixOperator<'_> {
     fn dim(&self) -> usize {
         self.matrix.order()
     }
@@ -186,7 +186,7 @@ impl DualOperator for Matrix<'_> {
 }
 
 /// diag(w) A diag(w), A a function.
-pub(super) struct Function<'a> {
+pub(super) struct FunctionOperator<'a> {
     apply: Product<'a>,
     /// diag(A), or 1 where it is not known.
     diagonal: Vec<f64>,
@@ -194,7 +194,7 @@ pub(super) struct Function<'a> {
     tally: Tally,
 }
 
-impl<'a> Function<'a> {
+impl<'a> FunctionOperator<'a> {
     pub(super) fn new(apply: Product<'a>, diagonal: Vec<f64>, scaling: Scaling) -> Self {
         Self {
             apply,
@@ -205,7 +205,7 @@ impl<'a> Function<'a> {
     }
 }
 
-impl DualOperator for Function<'_> {
+impl DualOperator for FunctionOperator<'_> {
     fn dim(&self) -> usize {
         self.diagonal.len()
     }

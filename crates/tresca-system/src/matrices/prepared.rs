@@ -7,10 +7,10 @@ use tresca_qcqp::{DualProblem, Engine, Settings};
 
 use super::bodies::{self, Bodies, BodyDofs};
 use super::error::AlgebraicError;
-use super::friction::Law;
+use super::friction::PairLaw;
 use super::note::Note;
 use super::parts::Stiffness;
-use super::problem::{Conditions, Problem};
+use super::problem::{Conditions, MatrixProblem};
 use super::solution::{Forces, Solution};
 use super::{check, patches, rank};
 use crate::description::{Description, Times};
@@ -28,7 +28,7 @@ use crate::progress::{Progress, Stage, begin};
 /// When the matrices, vectors or settings are wrong, or `progress` stops the run before its first iteration.
 /// How the solve ended stands in the solution.
 pub fn solve(
-    problem: &Problem,
+    problem: &MatrixProblem,
     settings: &Settings,
     progress: &mut dyn Progress,
 ) -> Result<Solution, AlgebraicError> {
@@ -51,7 +51,7 @@ pub struct PreparedProblem {
 /// # Errors
 /// Everything that is wrong with the input.
 pub fn prepare(
-    problem: &Problem,
+    problem: &MatrixProblem,
     settings: &Settings,
     progress: &mut dyn Progress,
 ) -> Result<PreparedProblem, AlgebraicError> {
@@ -94,7 +94,10 @@ pub fn prepare(
 
     begin(progress, Stage::Factorization)?;
     let clock = Instant::now();
-    let many = problem.many_solves || laws.iter().any(|law| matches!(law, Law::Coulomb { .. }));
+    let many = problem.many_solves
+        || laws
+            .iter()
+            .any(|law| matches!(law, PairLaw::Coulomb { .. }));
     let engine = choose_engine(settings.engine, layout.unknowns(), many);
     let contact_last = engine.engine != Engine::Factored;
     let patches = patches::patches(
@@ -115,7 +118,7 @@ pub fn prepare(
         contact_last,
         &mut notes,
     )?;
-    let slidings: Vec<_> = laws.iter().map(Law::sliding).collect();
+    let slidings: Vec<_> = laws.iter().map(PairLaw::sliding).collect();
     let immobile = |mobility: &&Mobility| {
         !mobility.normal && mobility.tangents.iter().take(tangents).all(|&moves| !moves)
     };
@@ -244,7 +247,7 @@ impl PreparedProblem {
             loads: self.dofs.split(&conditions.load),
             base: vec![0.0; layout.unknowns()],
             gaps: conditions.gap.clone().unwrap_or_else(|| vec![0.0; m]),
-            slidings: laws.iter().map(Law::sliding).collect(),
+            slidings: laws.iter().map(PairLaw::sliding).collect(),
             origin,
             held: 0.0,
         })

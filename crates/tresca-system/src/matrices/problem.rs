@@ -1,7 +1,7 @@
 //! A contact problem as matrices.
 
 use super::error::AlgebraicError;
-use super::friction::{Friction, Law};
+use super::friction::{Friction, PairLaw};
 use super::matrix::Matrix;
 use super::solution::Forces;
 
@@ -18,7 +18,7 @@ pub enum Kernel {
 
 /// A contact problem as matrices. Whether they fit is checked by [`prepare`](super::prepare).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
+pub struct MatrixProblem {
     /// K: its diagonal blocks, in the order of the dofs.
     pub stiffness: Vec<Matrix>,
     /// The kernel of K.
@@ -51,7 +51,7 @@ pub struct Conditions {
     pub start: Option<Forces>,
 }
 
-impl Problem {
+impl MatrixProblem {
     /// A problem without friction and with gap 0: K (one matrix or a list of blocks), N, f.
     pub fn new(stiffness: impl Into<Blocks>, normal: Matrix, load: Vec<f64>) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl Problem {
             conditions: Conditions {
                 load,
                 gap: None,
-                friction: Law::Frictionless.into(),
+                friction: PairLaw::Frictionless.into(),
                 previous_slip: None,
                 start: None,
             },
@@ -116,7 +116,7 @@ impl Problem {
         self
     }
 
-    /// Sets the friction: one [`Law`] for all pairs or a list.
+    /// Sets the friction: one [`PairLaw`] for all pairs or a list.
     #[must_use]
     pub fn with_friction(mut self, friction: impl Into<Friction>) -> Self {
         self.conditions.friction = friction.into();

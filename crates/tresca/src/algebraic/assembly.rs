@@ -4,7 +4,7 @@ use tresca_contact::{ContactPair, Opening, Sliding};
 use tresca_la::SymmetricMatrix;
 
 use tresca_model::{Model, Step};
-use tresca_system::matrices::{Law, Matrix, Problem};
+use tresca_system::matrices::{Matrix, MatrixProblem, PairLaw};
 
 use crate::assemble::assemble;
 use crate::error::SolveError;
@@ -14,7 +14,7 @@ use crate::load_step::acting;
 #[derive(Debug, Clone)]
 pub struct Assembly {
     /// K (one block per body), N, T, f, d, friction, over the dofs that no support holds.
-    pub problem: Problem,
+    pub problem: MatrixProblem,
     /// The contact pairs, in the order of the rows of N: points, frames, areas.
     pub pairs: Vec<ContactPair>,
     /// Where each dof comes from: \[body, node, component\].
@@ -61,12 +61,12 @@ impl Assembly {
         let openings = openings.flat_map(|(contact, data)| {
             std::iter::repeat_n(contact.friction.opening(), data.pairs.len())
         });
-        let laws: Vec<Law> = openings
+        let laws: Vec<PairLaw> = openings
             .zip(&case.slidings)
             .map(|(opening, sliding)| law(opening, sliding))
             .collect();
         let b = b.matrix(assembled.layout.unknowns(), dofs.len());
-        let mut problem = Problem::new(stiffness, b.rows_between(0, m), case.loads.concat())
+        let mut problem = MatrixProblem::new(stiffness, b.rows_between(0, m), case.loads.concat())
             .with_tangential(b.rows_between(m, b.rows()))
             .with_gap(gaps.collect())
             .with_friction(laws);
@@ -82,25 +82,25 @@ impl Assembly {
     }
 }
 
-fn law(opening: Opening, sliding: &Sliding) -> Law {
+fn law(opening: Opening, sliding: &Sliding) -> PairLaw {
     match (opening, *sliding) {
         // No law of a model glues a pair that may open.
-        (_, Sliding::Never) => Law::Tied,
+        (_, Sliding::Never) => PairLaw::Tied,
         (
             _,
             Sliding::Coulomb {
                 coefficients,
                 limit,
             },
-        ) => Law::Coulomb {
+        ) => PairLaw::Coulomb {
             coefficients,
             limit,
         },
         // Where supports leave one tangent, the second bound is never looked at.
-        (Opening::Never, Sliding::Bounded([bound, _])) => Law::Bilateral { bound },
-        (Opening::Unilateral, Sliding::Bounded([0.0, 0.0])) => Law::Frictionless,
-        (Opening::Unilateral, Sliding::Bounded([a, b])) if a == b => Law::Tresca { bound: a },
-        (Opening::Unilateral, Sliding::Bounded(bounds)) => Law::Orthotropic { bounds },
+        (Opening::Never, Sliding::Bounded([bound, _])) => PairLaw::Bilateral { bound },
+        (Opening::Unilateral, Sliding::Bounded([0.0, 0.0])) => PairLaw::Frictionless,
+        (Opening::Unilateral, Sliding::Bounded([a, b])) if a == b => PairLaw::Tresca { bound: a },
+        (Opening::Unilateral, Sliding::Bounded(bounds)) => PairLaw::Orthotropic { bounds },
     }
 }
 

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use tresca_contact::FrictionLaw;
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
-use tresca_io::problem::{self, Content, Dense, ProblemError, ProblemFault, Sparse};
+use tresca_io::problem::{self, Content, DenseArray, ProblemError, ProblemFault, Sparse};
 
 use tresca_system::matrices::{
-    AlgebraicError, Conditions, Forces, Friction, Kernel, Law, Matrix, Problem,
+    AlgebraicError, Conditions, Forces, Friction, Kernel, Matrix, MatrixProblem, PairLaw,
 };
 
 use crate::algebraic::assembly::Assembly;
@@ -36,12 +36,12 @@ pub enum FileError {
 ///
 /// # Errors
 /// Everything that is wrong with the files, with file, key, expected and found.
-pub fn read(path: impl AsRef<Path>) -> Result<Problem, FileError> {
+pub fn read(path: impl AsRef<Path>) -> Result<MatrixProblem, FileError> {
     let path = path.as_ref();
     from_content(problem::read(path)?, path)
 }
 
-fn from_content(content: Content, path: &Path) -> Result<Problem, FileError> {
+fn from_content(content: Content, path: &Path) -> Result<MatrixProblem, FileError> {
     let in_file = |source| FileError::Content {
         path: path.to_owned(),
         source,
@@ -81,7 +81,7 @@ fn from_content(content: Content, path: &Path) -> Result<Problem, FileError> {
             kernel_amounts: Vec::new(),
         }),
     };
-    Ok(Problem {
+    Ok(MatrixProblem {
         stiffness: blocks,
         kernel,
         normal,
@@ -102,32 +102,32 @@ fn from_content(content: Content, path: &Path) -> Result<Problem, FileError> {
 ///
 /// # Errors
 /// When there are not as many laws as pairs.
-fn to_content(own: &Problem) -> Result<Content, AlgebraicError> {
+fn to_content(own: &MatrixProblem) -> Result<Content, AlgebraicError> {
     let laws = own.conditions.friction.laws(own.pairs())?;
-    let figures = |pick: fn(&Law) -> [f64; 2]| {
+    let figures = |pick: fn(&PairLaw) -> [f64; 2]| {
         let values: Vec<[f64; 2]> = laws.iter().map(pick).collect();
         if values.iter().all(|[a, b]| a == b) {
-            Dense::vector(values.iter().map(|[a, _]| *a).collect())
+            DenseArray::vector(values.iter().map(|[a, _]| *a).collect())
         } else {
-            Dense {
+            DenseArray {
                 shape: vec![values.len(), 2],
                 values: values.concat(),
             }
         }
     };
     let used =
-        |dense: Dense, unused: f64| dense.values.iter().any(|&x| x != unused).then_some(dense);
+        |dense: DenseArray, unused: f64| dense.values.iter().any(|&x| x != unused).then_some(dense);
     let bounds = figures(|law| match *law {
-        Law::Tresca { bound } | Law::Bilateral { bound } => [bound; 2],
-        Law::Orthotropic { bounds } => bounds,
+        PairLaw::Tresca { bound } | PairLaw::Bilateral { bound } => [bound; 2],
+        PairLaw::Orthotropic { bounds } => bounds,
         _ => [0.0; 2],
     });
     let coefficients = figures(|law| match *law {
-        Law::Coulomb { coefficients, .. } => coefficients,
+        PairLaw::Coulomb { coefficients, .. } => coefficients,
         _ => [0.0; 2],
     });
     let limits = figures(|law| match *law {
-        Law::Coulomb { limit, .. } => [limit; 2],
+        PairLaw::Coulomb { limit, .. } => [limit; 2],
         _ => [f64::INFINITY; 2],
     });
     let mut words: Vec<String> = laws.iter().map(|law| law.name().to_owned()).collect();
@@ -143,7 +143,7 @@ fn to_content(own: &Problem) -> Result<Content, AlgebraicError> {
         Kernel::Given(vectors) => {
             let n = own.dofs();
             let entry = |k: usize| vectors[k % vectors.len()][k / vectors.len()];
-            Some(Dense {
+            Some(DenseArray {
                 shape: vec![n, vectors.len()],
                 values: (0..n * vectors.len()).map(entry).collect(),
             })
@@ -175,7 +175,7 @@ fn to_content(own: &Problem) -> Result<Content, AlgebraicError> {
             .start
             .as_ref()
             .map(|start| start.tangential.clone()),
-        points: own.points.as_ref().map(|points| Dense {
+        points: own.points.as_ref().map(|points| DenseArray {
             shape: vec![points.len(), 3],
             values: points.as_flattened().to_vec(),
         }),
@@ -201,7 +201,7 @@ fn wrong(path: &Path, key: &str, expected: String, found: String) -> FileError {
 }
 
 /// The columns of a matrix; a vector is one.
-fn columns(dense: &Dense, path: &Path) -> Result<Vec<Vec<f64>>, FileError> {
+fn columns(dense: &DenseArray, path: &Path) -> Result<Vec<Vec<f64>>, FileError> {
     match dense.shape[..] {
         [_] => Ok(vec![dense.values.clone()]),
         [_, count] => Ok((0..count)
@@ -224,7 +224,7 @@ fn columns(dense: &Dense, path: &Path) -> Result<Vec<Vec<f64>>, FileError> {
     }
 }
 
-fn triples(dense: &Dense, path: &Path) -> Result<Vec<[f64; 3]>, FileError> {
+fn triples(dense: &DenseArray, path: &Path) -> Result<Vec<[f64; 3]>, FileError> {
     match dense.shape[..] {
         [_, 3] => Ok(dense.values.as_chunks().0.to_vec()),
         _ => Err(wrong(
@@ -314,8 +314,8 @@ fn friction(
                 })
         };
         Ok(match word {
-            "frictionless" => Law::Frictionless,
-            "tied" => Law::Tied,
+            "frictionless" => PairLaw::Frictionless,
+            "tied" => PairLaw::Tied,
             "tresca" => {
                 let [bound, second] = needed("bounds", &bounds)?;
                 if bound != second {
@@ -327,18 +327,18 @@ fn friction(
                         "two that differ".to_owned(),
                     ));
                 }
-                Law::Tresca { bound }
+                PairLaw::Tresca { bound }
             }
-            "orthotropic" => Law::Orthotropic {
+            "orthotropic" => PairLaw::Orthotropic {
                 bounds: needed("bounds", &bounds)?,
             },
-            "coulomb" => Law::Coulomb {
+            "coulomb" => PairLaw::Coulomb {
                 coefficients: needed("coefficients", &coefficients)?,
                 limit: limits
                     .as_ref()
                     .map_or(f64::INFINITY, |limits| limits[pair][0]),
             },
-            "bilateral" => Law::Bilateral {
+            "bilateral" => PairLaw::Bilateral {
                 bound: bounds.as_ref().map_or(0.0, |bounds| bounds[pair][0]),
             },
             other => {
@@ -347,14 +347,14 @@ fn friction(
             }
         })
     };
-    let laws: Vec<Law> = (0..pairs).map(law).collect::<Result<_, _>>()?;
+    let laws: Vec<PairLaw> = (0..pairs).map(law).collect::<Result<_, _>>()?;
     Ok(Friction::PerPair(laws))
 }
 
 /// Two figures per pair from a number, one per pair, or two per pair.
 fn figures(
     key: &str,
-    dense: &Dense,
+    dense: &DenseArray,
     pairs: usize,
     path: &Path,
 ) -> Result<Vec<[f64; 2]>, FileError> {
@@ -394,7 +394,7 @@ impl Assembly {
     pub fn write(&self, to: &Path) -> Result<(), ExportError> {
         let mut content = to_content(&self.problem)?;
         if to.extension().is_some_and(|extension| extension == "npz") {
-            let place = |values: Vec<f64>, width: usize| Dense {
+            let place = |values: Vec<f64>, width: usize| DenseArray {
                 shape: vec![values.len() / width, width],
                 values,
             };
@@ -411,7 +411,7 @@ impl Assembly {
             content.info = vec![
                 ("normals".to_owned(), place(normals, 3)),
                 ("tangents".to_owned(), place(tangents, 6)),
-                ("areas".to_owned(), Dense::vector(areas)),
+                ("areas".to_owned(), DenseArray::vector(areas)),
                 ("dofs".to_owned(), place(dofs, 3)),
             ];
             let name = to

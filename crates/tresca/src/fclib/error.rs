@@ -9,7 +9,7 @@ use tresca_system::progress::Stopped;
 /// Why a problem was not solved, or not exported.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum ProblemError {
+pub enum FclibProblemError {
     /// Parts that do not fit together.
     #[error("`{part}` {defect}")]
     Part {
@@ -63,12 +63,12 @@ pub enum ProblemError {
     Inexpressible(&'static str),
 }
 
-impl From<AlgebraicError> for ProblemError {
+impl From<AlgebraicError> for FclibProblemError {
     fn from(error: AlgebraicError) -> Self {
         match error {
-            AlgebraicError::Stopped(stopped) => ProblemError::Stopped(stopped),
-            AlgebraicError::Dual(error) => ProblemError::Dual(error),
-            error => ProblemError::Algebraic(error),
+            AlgebraicError::Stopped(stopped) => FclibProblemError::Stopped(stopped),
+            AlgebraicError::Dual(error) => FclibProblemError::Dual(error),
+            error => FclibProblemError::Algebraic(error),
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Our problems as problems of FCLIB.
 
-use tresca_io::fclib::{Document, Info, LocalProblem, Matrix, Problem, State};
+use tresca_io::fclib::{Document, FclibMatrix, FclibProblem, Info, LocalProblem, State};
 use tresca_qcqp::sets::BlockSet;
 use tresca_qcqp::{CoulombBound, DualProblem};
 
 use super::reduced::place;
-use crate::fclib::error::ProblemError;
+use crate::fclib::error::FclibProblemError;
 use crate::outcome::Outcome;
 use crate::solve::PreparedModel;
 use tresca_contact::FrictionLaw;
@@ -16,12 +16,12 @@ use crate::version::VERSION;
 /// converged: r are contact forces, u relative displacements (gaps and negative slips).
 ///
 /// # Errors
-/// [`ProblemError::Inexpressible`] for laws other than isotropic Coulomb friction without a limit and
+/// [`FclibProblemError::Inexpressible`] for laws other than isotropic Coulomb friction without a limit and
 /// no friction, and for floating bodies.
 pub fn document(
     prepared: &mut PreparedModel<'_>,
     outcome: &Outcome,
-) -> Result<Document, ProblemError> {
+) -> Result<Document, FclibProblemError> {
     for contact in prepared.model().contacts() {
         let reason = match &contact.friction {
             FrictionLaw::Frictionless => continue,
@@ -34,7 +34,7 @@ pub fn document(
             FrictionLaw::Coulomb { .. } => "orthotropic friction",
             _ => "laws other than Coulomb friction and no friction",
         };
-        return Err(ProblemError::Inexpressible(reason));
+        return Err(FclibProblemError::Inexpressible(reason));
     }
     let local = local_problem(prepared.system().dual())?;
     let solution = &outcome.last().solution;
@@ -60,7 +60,7 @@ pub fn document(
         },
         solution,
         guesses: Vec::new(),
-        problem: Problem::Local(local),
+        problem: FclibProblem::Local(local),
     })
 }
 
@@ -69,12 +69,12 @@ pub fn document(
 /// counted, unless the operator holds it.
 ///
 /// # Errors
-/// [`ProblemError::Inexpressible`] for slip bounds that do not follow from normal forces, pairs that are
+/// [`FclibProblemError::Inexpressible`] for slip bounds that do not follow from normal forces, pairs that are
 /// glued or never open, and floating bodies. Orthotropic friction, which a dual problem hides in its
 /// scaling, goes unnoticed here, but not by [`document`].
-pub fn local_problem(dual: &mut DualProblem) -> Result<LocalProblem, ProblemError> {
+pub fn local_problem(dual: &mut DualProblem) -> Result<LocalProblem, FclibProblemError> {
     if dual.equality_rows() > 0 {
-        return Err(ProblemError::Inexpressible("floating bodies"));
+        return Err(FclibProblemError::Inexpressible("floating bodies"));
     }
     let (dimension, contacts) = shape(dual)?;
     let friction = (0..contacts)
@@ -100,8 +100,8 @@ pub fn local_problem(dual: &mut DualProblem) -> Result<LocalProblem, ProblemErro
                 .map(|(i, &a)| (place(i), place(j), a)),
         );
     }
-    let w = Matrix::new(order, order, entries)
-        .map_err(|defect| ProblemError::Part { part: "W", defect })?;
+    let w = FclibMatrix::new(order, order, entries)
+        .map_err(|defect| FclibProblemError::Part { part: "W", defect })?;
     Ok(LocalProblem {
         dimension,
         w,
@@ -111,7 +111,7 @@ pub fn local_problem(dual: &mut DualProblem) -> Result<LocalProblem, ProblemErro
 }
 
 /// Dimension and number of contacts, of half-lines followed by discs or by intervals.
-fn shape(dual: &DualProblem) -> Result<(usize, usize), ProblemError> {
+fn shape(dual: &DualProblem) -> Result<(usize, usize), FclibProblemError> {
     let blocks = dual.set().blocks();
     let contacts = blocks.len() / 2;
     let (normals, tangents) = blocks.split_at(contacts);
@@ -119,7 +119,7 @@ fn shape(dual: &DualProblem) -> Result<(usize, usize), ProblemError> {
     if !blocks.len().is_multiple_of(2)
         || !normals.all(|(i, block)| block.start == i && matches!(block.set, BlockSet::HalfLine(_)))
     {
-        return Err(ProblemError::Inexpressible(
+        return Err(FclibProblemError::Inexpressible(
             "pairs that are glued or never open",
         ));
     }
@@ -131,28 +131,34 @@ fn shape(dual: &DualProblem) -> Result<(usize, usize), ProblemError> {
         let shape = match block.set {
             BlockSet::Disc(_) => 3,
             BlockSet::Interval(_) => 2,
-            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Point(_) => 0,
+            BlockSet::Line(_) | BlockSet::HalfLine(_) | BlockSet::Origin(_) => 0,
         };
         shape == dimension && block.start == contacts + (dimension - 1) * i
     };
     if tangents.iter().enumerate().all(fits) {
         Ok((dimension, contacts))
     } else {
-        Err(ProblemError::Inexpressible(
+        Err(FclibProblemError::Inexpressible(
             "pairs that are glued, held along a tangent, or whose friction is orthotropic",
         ))
     }
 }
 
 /// μ of a contact.
-fn coefficient(dual: &DualProblem, contacts: usize, contact: usize) -> Result<f64, ProblemError> {
+fn coefficient(
+    dual: &DualProblem,
+    contacts: usize,
+    contact: usize,
+) -> Result<f64, FclibProblemError> {
     let block = contacts + contact;
     let own: Option<&CoulombBound> = dual.coulomb().iter().find(|own| own.block == block);
     match own {
         Some(own) if own.normal == contact && own.limit == f64::INFINITY => Ok(own.coefficient),
-        Some(_) => Err(ProblemError::Inexpressible("Coulomb friction with a limit")),
+        Some(_) => Err(FclibProblemError::Inexpressible(
+            "Coulomb friction with a limit",
+        )),
         None if dual.set().blocks()[block].set.bound() == Some(0.0) => Ok(0.0),
-        None => Err(ProblemError::Inexpressible(
+        None => Err(FclibProblemError::Inexpressible(
             "Tresca friction: it has coefficients alone",
         )),
     }

@@ -2,7 +2,7 @@
 
 /// The law of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Law {
+pub enum FclibLaw {
     /// As the file poses it: ‖r_T‖ ≤ μ r_N.
     Coulomb,
     /// ‖r_T‖ ≤ bound at every contact.

@@ -7,21 +7,21 @@
 //! c ≥ 0 where a contact slips.
 //!
 //! Coulomb's law is taken as it is posed, nonassociated: a fixed point on the slip bounds μ r_N. With
-//! [`Law::Tresca`] the bound is the same given force at all contacts.
+//! [`FclibLaw::Tresca`] the bound is the same given force at all contacts.
 //!
 //! ```
 //! use tresca::{Settings, Silent, fclib};
-//! use fclib::{Law, LocalProblem, Matrix, Problem};
+//! use fclib::{FclibLaw, FclibMatrix, FclibProblem, LocalProblem};
 //!
 //! // A block pressed down with 1 and pulled aside with 2: W = I, u without forces is q.
-//! let identity = Matrix::new(3, 3, (0..3).map(|i| (i, i, 1.0)).collect())?;
-//! let problem = Problem::Local(LocalProblem {
+//! let identity = FclibMatrix::new(3, 3, (0..3).map(|i| (i, i, 1.0)).collect())?;
+//! let problem = FclibProblem::Local(LocalProblem {
 //!     dimension: 3,
 //!     w: identity,
 //!     q: vec![-1.0, 2.0, 0.0],
 //!     friction: vec![0.5],
 //! });
-//! let outcome = fclib::solve(&problem, Law::Coulomb, &Settings::default(), &mut Silent)?;
+//! let outcome = fclib::solve(&problem, FclibLaw::Coulomb, &Settings::default(), &mut Silent)?;
 //! assert!(outcome.solution.status.is_converged());
 //! // It slides: friction reaches μ r_N = 0.5, and 1.5 of the velocity is left.
 //! for (found, expected) in outcome.forces.iter().zip([1.0, -0.5, 0.0]) {
@@ -38,13 +38,13 @@ pub(crate) mod reduced;
 pub(crate) mod residual;
 pub(crate) mod solve;
 
-pub use error::ProblemError;
+pub use error::FclibProblemError;
 pub use export::{document, local_problem};
-pub use law::Law;
+pub use law::FclibLaw;
 pub use reduced::MatrixFacts;
 pub use residual::Residuals;
-pub use solve::{Outcome, solve};
+pub use solve::{FclibOutcome, solve};
 pub use tresca_io::fclib::{
-    Defect, Document, FclibError, FclibFault, GlobalProblem, Info, LocalProblem, Matrix, Problem,
-    State, read,
+    Defect, Document, FclibError, FclibFault, FclibMatrix, FclibProblem, GlobalProblem, Info,
+    LocalProblem, State, read,
 };

@@ -3,10 +3,10 @@
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{MatRef, Side};
 use serde::Serialize;
-use tresca_io::fclib::{Matrix, Problem};
+use tresca_io::fclib::{FclibMatrix, FclibProblem};
 use tresca_la::{BodySolver, Ordering, Parallelism, SparseCholesky, SymmetricMatrix};
 
-use crate::fclib::error::ProblemError;
+use crate::fclib::error::FclibProblemError;
 
 /// Asymmetry up to which a matrix is taken for a symmetric one with rounding errors. Files of
 /// Siconos printed with six digits, and of solvers that build W by blocks, reach 1e-5.
@@ -30,6 +30,7 @@ pub(super) struct Reduced {
 
 /// What W is like.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct MatrixFacts {
     /// Its order.
     pub unknowns: usize,
@@ -65,7 +66,7 @@ pub(super) fn place(dimension: usize, contacts: usize, i: usize) -> usize {
 }
 
 /// Where the unknowns of the file stand in λ = \[normals; tangents\].
-fn inverse_places(problem: &Problem) -> Vec<usize> {
+fn inverse_places(problem: &FclibProblem) -> Vec<usize> {
     let mut own = vec![0; problem.unknowns()];
     for i in 0..own.len() {
         own[place(problem.dimension(), problem.contacts(), i)] = i;
@@ -74,12 +75,12 @@ fn inverse_places(problem: &Problem) -> Vec<usize> {
 }
 
 impl Reduced {
-    pub fn new(problem: &Problem) -> Result<Self, ProblemError> {
+    pub fn new(problem: &FclibProblem) -> Result<Self, FclibProblemError> {
         let check = problem.check();
-        check.map_err(|(part, defect)| ProblemError::Part { part, defect })?;
+        check.map_err(|(part, defect)| FclibProblemError::Part { part, defect })?;
         let unknowns = problem.unknowns();
         if unknowns > LARGEST {
-            return Err(ProblemError::TooLarge {
+            return Err(FclibProblemError::TooLarge {
                 unknowns,
                 allowed: LARGEST,
             });
@@ -89,13 +90,13 @@ impl Reduced {
         let mut q = vec![0.0; unknowns];
         let mut mass = None;
         match problem {
-            Problem::Local(local) => {
+            FclibProblem::Local(local) => {
                 for &(row, column, value) in local.w.entries() {
                     w[unknowns * own[row] + own[column]] = value;
                 }
                 own.iter().zip(&local.q).for_each(|(&i, &own)| q[i] = own);
             }
-            Problem::Global(global) => {
+            FclibProblem::Global(global) => {
                 let factor = factor(&global.m)?;
                 for (column, image) in columns(&global.h).into_iter().enumerate() {
                     let mut image = image;
@@ -115,7 +116,7 @@ impl Reduced {
         }
         let asymmetry = symmetrise(&mut w, unknowns);
         if asymmetry > ASYMMETRY {
-            return Err(ProblemError::Asymmetric {
+            return Err(FclibProblemError::Asymmetric {
                 name: "W",
                 asymmetry,
                 allowed: ASYMMETRY,
@@ -126,23 +127,29 @@ impl Reduced {
     }
 
     /// u and v from r, by the matrices of the file.
-    pub fn velocities(&self, problem: &Problem, forces: &[f64]) -> (Vec<f64>, Option<Vec<f64>>) {
+    pub fn velocities(
+        &self,
+        problem: &FclibProblem,
+        forces: &[f64],
+    ) -> (Vec<f64>, Option<Vec<f64>>) {
         let sum =
             |a: Vec<f64>, b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| a + b).collect() };
         match (problem, &self.mass) {
-            (Problem::Global(global), Some(mass)) => {
+            (FclibProblem::Global(global), Some(mass)) => {
                 let mut v = sum(global.h.times(forces), &global.f);
                 mass.solve_in_place(&mut v);
                 let u = sum(global.h.transposed_times(&v), &global.w);
                 (u, Some(v))
             }
-            (Problem::Local(local), _) => (sum(local.w.times(forces), &local.q), None),
-            (Problem::Global(_), None) => unreachable!("M of a global problem has been factored"),
+            (FclibProblem::Local(local), _) => (sum(local.w.times(forces), &local.q), None),
+            (FclibProblem::Global(_), None) => {
+                unreachable!("M of a global problem has been factored")
+            }
         }
     }
 }
 
-fn facts(problem: &Problem, w: &[f64], asymmetry: f64) -> MatrixFacts {
+fn facts(problem: &FclibProblem, w: &[f64], asymmetry: f64) -> MatrixFacts {
     let unknowns = problem.unknowns();
     let eigenvalues = (0 < unknowns && unknowns <= LARGEST_SPECTRUM)
         .then(|| {
@@ -158,8 +165,8 @@ fn facts(problem: &Problem, w: &[f64], asymmetry: f64) -> MatrixFacts {
     MatrixFacts {
         unknowns,
         entries: match problem {
-            Problem::Local(local) => local.w.entries().len(),
-            Problem::Global(_) => unknowns * unknowns,
+            FclibProblem::Local(local) => local.w.entries().len(),
+            FclibProblem::Global(_) => unknowns * unknowns,
         },
         asymmetry,
         rank: rank.map(|(values, zero)| values.iter().filter(|&&value| value > zero).count()),
@@ -170,7 +177,7 @@ fn facts(problem: &Problem, w: &[f64], asymmetry: f64) -> MatrixFacts {
     }
 }
 
-fn columns(matrix: &Matrix) -> Vec<Vec<f64>> {
+fn columns(matrix: &FclibMatrix) -> Vec<Vec<f64>> {
     let mut columns = vec![vec![0.0; matrix.rows()]; matrix.columns()];
     for &(row, column, value) in matrix.entries() {
         columns[column][row] = value;
@@ -200,7 +207,7 @@ fn symmetrise(a: &mut [f64], order: usize) -> f64 {
 }
 
 /// The factor of ½(M + Mᵀ).
-fn factor(m: &Matrix) -> Result<Box<dyn BodySolver>, ProblemError> {
+fn factor(m: &FclibMatrix) -> Result<Box<dyn BodySolver>, FclibProblemError> {
     let largest = m.entries().iter().fold(0.0_f64, |a, e| a.max(e.2.abs()));
     // Every entry goes in half, and half into its mirror image: what is on the diagonal twice.
     let halves = m
@@ -215,7 +222,7 @@ fn factor(m: &Matrix) -> Result<Box<dyn BodySolver>, ProblemError> {
     let asymmetry =
         symmetric.values().map(differs).fold(0.0, f64::max) / largest.max(f64::MIN_POSITIVE);
     if asymmetry > ASYMMETRY {
-        return Err(ProblemError::Asymmetric {
+        return Err(FclibProblemError::Asymmetric {
             name: "M",
             asymmetry,
             allowed: ASYMMETRY,

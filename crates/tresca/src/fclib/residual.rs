@@ -1,16 +1,17 @@
 //! How far forces and velocities are from solving a problem.
 
 use serde::Serialize;
-use tresca_io::fclib::Problem;
+use tresca_io::fclib::FclibProblem;
 use tresca_la::vector::{dot, norm};
 
-use super::law::Law;
+use super::law::FclibLaw;
 use super::reduced::{Reduced, place};
 
 /// Residuals of the natural map r − P_K(r − ρ û), K the product of the friction cones and
 /// û = u + μ‖u_T‖ n (De Saxcé); with Tresca's law K is the product of half-lines and discs and û = u.
 /// Zero exactly at a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Residuals {
     /// With ρ = 1, relative to ‖q‖ (absolute where q = 0), as Siconos measures; depends on units.
     pub siconos: f64,
@@ -23,8 +24,8 @@ pub struct Residuals {
 
 impl Residuals {
     pub(super) fn new(
-        problem: &Problem,
-        law: Law,
+        problem: &FclibProblem,
+        law: FclibLaw,
         reduced: &Reduced,
         forces: &[f64],
         velocities: &[f64],
@@ -57,7 +58,13 @@ impl Residuals {
 }
 
 /// ‖r − P_K(r − ρ û)‖.
-fn natural_map(problem: &Problem, law: Law, forces: &[f64], velocities: &[f64], rho: f64) -> f64 {
+fn natural_map(
+    problem: &FclibProblem,
+    law: FclibLaw,
+    forces: &[f64],
+    velocities: &[f64],
+    rho: f64,
+) -> f64 {
     let dimension = problem.dimension();
     let contacts = forces
         .chunks(dimension)
@@ -66,14 +73,14 @@ fn natural_map(problem: &Problem, law: Law, forces: &[f64], velocities: &[f64], 
     let mut sum = 0.0;
     for ((r, u), &friction) in contacts {
         let shift = match law {
-            Law::Coulomb => friction * norm(&u[1..]),
-            Law::Tresca { .. } => 0.0,
+            FclibLaw::Coulomb => friction * norm(&u[1..]),
+            FclibLaw::Tresca { .. } => 0.0,
         };
         let mut y: Vec<f64> = r.iter().zip(u).map(|(r, u)| r - rho * u).collect();
         y[0] -= rho * shift;
         match law {
-            Law::Coulomb => project_on_cone(&mut y, friction),
-            Law::Tresca { bound } => project_on_cylinder(&mut y, bound),
+            FclibLaw::Coulomb => project_on_cone(&mut y, friction),
+            FclibLaw::Tresca { bound } => project_on_cylinder(&mut y, bound),
         }
         sum += r.iter().zip(&y).map(|(r, y)| (r - y).powi(2)).sum::<f64>();
     }

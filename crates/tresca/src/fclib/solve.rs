@@ -2,22 +2,22 @@
 
 use std::time::Instant;
 
-use tresca_io::fclib::Problem;
+use tresca_io::fclib::FclibProblem;
 use tresca_qcqp::Settings;
-use tresca_system::matrices::{self, Dual, Operator, Solution};
+use tresca_system::matrices::{self, Dual, Operator, PairLaw, Solution};
 use tresca_system::progress::Progress;
 
-use super::error::ProblemError;
-use super::law::Law;
+use super::error::FclibProblemError;
+use super::law::FclibLaw;
 use super::reduced::{MatrixFacts, Reduced, place};
 use super::residual::Residuals;
 
 /// A problem solved. Vectors stand in the order of the file: contact by contact, normal first.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-pub struct Outcome {
+pub struct FclibOutcome {
     /// The law it was solved with.
-    pub law: Law,
+    pub law: FclibLaw,
     /// How the method ended and what it did, with the certificate of the dual form; its vectors are in the
     /// order of [`Dual`]. `times.assembly` is the reduction to the contacts and a look at W.
     pub solution: Solution,
@@ -39,26 +39,26 @@ pub struct Outcome {
 /// When the parts of the problem do not fit together, W or M is not symmetric, M is not positive
 /// definite, there are more contacts than a dense W allows, a setting or the slip bound is out of range, or
 /// `progress` stops the run before its first iteration. How the solve ended is no error: see
-/// [`Outcome::solution`].
+/// [`FclibOutcome::solution`].
 pub fn solve(
-    problem: &Problem,
-    law: Law,
+    problem: &FclibProblem,
+    law: FclibLaw,
     settings: &Settings,
     progress: &mut dyn Progress,
-) -> Result<Outcome, ProblemError> {
-    if let Law::Tresca { bound } = law
+) -> Result<FclibOutcome, FclibProblemError> {
+    if let FclibLaw::Tresca { bound } = law
         && !(bound >= 0.0 && bound.is_finite())
     {
-        return Err(ProblemError::Bound(bound));
+        return Err(FclibProblemError::Bound(bound));
     }
     let begin = Instant::now();
     let reduced = Reduced::new(problem)?;
-    let laws: Vec<matrices::Law> = problem
+    let laws: Vec<PairLaw> = problem
         .friction()
         .iter()
         .map(|&coefficient| match law {
-            Law::Coulomb => matrices::Law::coulomb(coefficient),
-            Law::Tresca { bound } => matrices::Law::tresca(bound),
+            FclibLaw::Coulomb => PairLaw::coulomb(coefficient),
+            FclibLaw::Tresca { bound } => PairLaw::tresca(bound),
         })
         .collect();
     let dual = Dual::new(
@@ -81,7 +81,7 @@ pub fn solve(
         forces[place(i)] = force;
     }
     let (velocities, global_velocities) = reduced.velocities(problem, &forces);
-    Ok(Outcome {
+    Ok(FclibOutcome {
         law,
         residuals: Residuals::new(problem, law, &reduced, &forces, &velocities),
         matrix: reduced.facts,

@@ -36,6 +36,7 @@ impl NodeState {
 /// A slave node has the figures of its pair. A master node has the mean of those of the pairs that reach
 /// it, weighted by the parts of their forces that it takes.
 #[derive(Debug, Clone, Default)]
+#[non_exhaustive]
 pub struct SurfaceFields {
     /// The nodes, ascending; all other fields have one entry per node.
     pub nodes: Vec<usize>,

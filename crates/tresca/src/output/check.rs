@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use tresca_io::atomic::OutputSet;
-use tresca_io::pvd::{self, Part};
+use tresca_io::pvd::{self, PvdPart};
 use tresca_io::results::{CheckedBody, CheckedContact, origin};
 use tresca_io::{WriteError, summary};
 
@@ -41,7 +41,7 @@ impl Destination {
         }
         let parts: Vec<_> = parts
             .iter()
-            .map(|(name, file)| Part {
+            .map(|(name, file)| PvdPart {
                 name,
                 file,
                 time: 0.0,

@@ -6,14 +6,14 @@ use std::time::Instant;
 use tresca_io::atomic::OutputSet;
 #[cfg(feature = "fclib")]
 use tresca_io::fclib::State;
-use tresca_io::fclib::{Document, Problem};
+use tresca_io::fclib::{Document, FclibProblem};
 use tresca_io::history::{History, Value};
 use tresca_io::{WriteError, summary};
 use tresca_qcqp::Settings;
 
 use super::{Destination, SUMMARY, history};
-use crate::fclib::law::Law;
-use crate::fclib::solve::Outcome;
+use crate::fclib::law::FclibLaw;
+use crate::fclib::solve::FclibOutcome;
 use crate::report::run::RunReport;
 
 impl Destination {
@@ -27,7 +27,7 @@ impl Destination {
         self,
         name: &str,
         document: &Document,
-        outcome: &Outcome,
+        outcome: &FclibOutcome,
         settings: &Settings,
     ) -> Result<RunReport, WriteError> {
         let begin = Instant::now();
@@ -53,7 +53,7 @@ impl Destination {
 
 /// The problem with our solution. What did not converge is none: readers of the format cannot be told.
 #[cfg(feature = "fclib")]
-fn solved(document: &Document, outcome: &Outcome) -> Document {
+fn solved(document: &Document, outcome: &FclibOutcome) -> Document {
     let converged = outcome.solution.status.is_converged();
     Document {
         solution: converged.then(|| State {
@@ -65,7 +65,11 @@ fn solved(document: &Document, outcome: &Outcome) -> Document {
     }
 }
 
-fn solution(problem: &Problem, outcome: &Outcome, out: &mut dyn Write) -> Result<(), WriteError> {
+fn solution(
+    problem: &FclibProblem,
+    outcome: &FclibOutcome,
+    out: &mut dyn Write,
+) -> Result<(), WriteError> {
     let dimension = problem.dimension();
     let columns: &[&str] = match dimension {
         2 => &["contact", "r_n", "r_t", "u_n", "u_t", "bound"],
@@ -78,8 +82,8 @@ fn solution(problem: &Problem, outcome: &Outcome, out: &mut dyn Write) -> Result
     let contacts = forces.zip(outcome.velocities.chunks(dimension));
     for (contact, (r, u)) in contacts.enumerate() {
         let bound = match outcome.law {
-            Law::Coulomb => problem.friction()[contact] * r[0],
-            Law::Tresca { bound } => bound,
+            FclibLaw::Coulomb => problem.friction()[contact] * r[0],
+            FclibLaw::Tresca { bound } => bound,
         };
         let mut row: Vec<Value> = vec![contact.into()];
         row.extend(r.iter().chain(u).map(|&value| Value::from(value)));

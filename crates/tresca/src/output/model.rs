@@ -9,8 +9,8 @@ use tresca_contact::FrictionLaw;
 use tresca_fem::mesh::{CellKind, Mesh};
 use tresca_fem::stress;
 use tresca_io::atomic::OutputSet;
-use tresca_io::pvd::{self, Part};
-use tresca_io::results::{BodyFields, ContactFields, StepFacts, SurfaceFields, origin};
+use tresca_io::pvd::{self, PvdPart};
+use tresca_io::results::{BodyFields, ContactFields, NodeContactFields, StepFacts, origin};
 use tresca_io::vtu::{CellShape, Cells, Fact};
 use tresca_io::{WriteError, summary};
 
@@ -73,7 +73,7 @@ impl Destination {
         files.stage("history.csv", |out| history::write(records, out))?;
         let parts: Vec<_> = parts
             .iter()
-            .map(|(name, file, time)| Part {
+            .map(|(name, file, time)| PvdPart {
                 name,
                 file,
                 time: *time,
@@ -125,7 +125,7 @@ fn write_body(
         stress,
         von_mises: &von_mises,
         reaction: Some(&node_vectors(body, &step.reactions[index])),
-        surface: (!surface.nodes.is_empty()).then_some(SurfaceFields {
+        surface: (!surface.nodes.is_empty()).then_some(NodeContactFields {
             force: &surface.expand(&surface.force, count),
             pressure: &surface.expand(&surface.pressure, count),
             traction: &surface.expand(&surface.traction, count),

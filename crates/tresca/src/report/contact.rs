@@ -9,6 +9,7 @@ use crate::pair_state::PairState;
 
 /// The contact in figures. What a door does not know is left out.
 #[derive(Debug, Clone, Default, Serialize)]
+#[non_exhaustive]
 pub struct ContactReport {
     /// Contact pairs.
     pub pairs: usize,
@@ -46,6 +47,7 @@ pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
 
 /// Resultant of one contact.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct ContactResultant {
     /// Name of the contact in the case, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]

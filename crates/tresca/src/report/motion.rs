@@ -6,6 +6,7 @@ use crate::unresisted::UnresistedMotion;
 
 /// A motion that nothing resists.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct MotionReport {
     /// What moves, and how.
     pub bodies: Vec<BodyMotion>,
@@ -15,6 +16,7 @@ pub struct MotionReport {
 
 /// A body in such a motion.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct BodyMotion {
     /// The body.
     pub body: String,
@@ -24,6 +26,7 @@ pub struct BodyMotion {
 
 /// A contact in such a motion.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct ContactMotion {
     /// Slave and master surface.
     pub contact: String,

@@ -1,27 +1,27 @@
 //! The report of a problem of FCLIB or Siconos.
 
-use tresca_io::fclib::{Document, Problem};
+use tresca_io::fclib::{Document, FclibProblem};
 use tresca_la::vector::norm;
 use tresca_qcqp::Settings;
 
 use super::of_matrices::of_solution;
 use super::posed::{FclibReport, LawReport, Reference};
 use super::run::{RunReport, Source, StepReport};
-use crate::fclib::law::Law;
+use crate::fclib::law::FclibLaw;
 use crate::fclib::reduced::MatrixFacts;
-use crate::fclib::solve::Outcome;
+use crate::fclib::solve::FclibOutcome;
 
 /// Asymmetry that is not worth a note.
 const ROUNDING: f64 = 1e-14;
 
 impl RunReport {
     /// Of a problem of FCLIB or Siconos.
-    pub fn of_fclib(document: &Document, outcome: &Outcome, settings: &Settings) -> Self {
+    pub fn of_fclib(document: &Document, outcome: &FclibOutcome, settings: &Settings) -> Self {
         let Document { problem, info, .. } = document;
         let solution = &outcome.solution;
         // With another law the solution of the file solves another problem.
         let theirs = document.solution.as_ref();
-        let theirs = theirs.filter(|_| outcome.law == Law::Coulomb);
+        let theirs = theirs.filter(|_| outcome.law == FclibLaw::Coulomb);
         let step = StepReport {
             residuals: Some(outcome.residuals),
             matrix: Some(outcome.matrix),
@@ -41,21 +41,21 @@ impl RunReport {
     }
 }
 
-fn posed(problem: &Problem, law: Law) -> FclibReport {
+fn posed(problem: &FclibProblem, law: FclibLaw) -> FclibReport {
     FclibReport {
         problem: match problem {
-            Problem::Local(_) => "local",
-            Problem::Global(_) => "global",
+            FclibProblem::Local(_) => "local",
+            FclibProblem::Global(_) => "global",
         },
         dimension: problem.dimension(),
         contacts: problem.contacts(),
         velocities: problem.velocities(),
         law: match law {
-            Law::Coulomb => LawReport {
+            FclibLaw::Coulomb => LawReport {
                 name: "coulomb",
                 bound: None,
             },
-            Law::Tresca { bound } => LawReport {
+            FclibLaw::Tresca { bound } => LawReport {
                 name: "tresca",
                 bound: Some(bound),
             },

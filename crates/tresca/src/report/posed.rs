@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// What was posed.
 #[derive(Clone, Debug, Serialize)]
+#[non_exhaustive]
 pub struct FclibReport {
     /// `local` or `global`.
     pub problem: &'static str,
@@ -20,6 +21,7 @@ pub struct FclibReport {
 
 /// A law and its parameter.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[non_exhaustive]
 pub struct LawReport {
     /// `coulomb` or `tresca`.
     pub name: &'static str,
@@ -30,6 +32,7 @@ pub struct LawReport {
 
 /// ‖ours − theirs‖/‖theirs‖.
 #[derive(Clone, Copy, Debug, Serialize)]
+#[non_exhaustive]
 pub struct Reference {
     /// Of r.
     pub forces: f64,

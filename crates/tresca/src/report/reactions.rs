@@ -7,6 +7,7 @@ use tresca_model::{Model, Support};
 
 /// Resultant of the forces that a support puts on its bodies.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SupportReaction {
     /// Name of the support in the case, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]

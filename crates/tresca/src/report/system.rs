@@ -7,6 +7,7 @@ use tresca_system::factors::FactorWork;
 
 /// Bodies and how A is applied.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct SystemReport {
     /// Free and held dofs of all bodies; n of matrices.
     pub dofs: usize,
@@ -22,6 +23,7 @@ pub struct SystemReport {
 
 /// What the factorisation cost.
 #[derive(Debug, Clone, Serialize)]
+#[non_exhaustive]
 pub struct FactorReport {
     /// Nonzeros, flops, seconds.
     #[serde(flatten)]

@@ -6,6 +6,7 @@ use tresca_system::description::Times;
 
 /// Wall-clock seconds.
 #[derive(Debug, Clone, Copy, Default, Serialize)]
+#[non_exhaustive]
 pub struct TimesReport {
     /// Stiffness, loads, contact data; of matrices the checks of the input; of FCLIB the reduction to the
     /// contacts and the eigenvalues of W.

@@ -4,7 +4,8 @@
 use std::path::PathBuf;
 
 use tresca::fclib::{
-    self, Document, GlobalProblem, Law, LocalProblem, Matrix, Outcome, Problem, ProblemError,
+    self, Document, FclibLaw, FclibMatrix, FclibOutcome, FclibProblem, FclibProblemError,
+    GlobalProblem, LocalProblem,
 };
 use tresca::material::Isotropic;
 use tresca::mesh::{BrickSpec, brick};
@@ -34,7 +35,7 @@ fn tight() -> Settings {
     }
 }
 
-fn solve(problem: &Problem, law: Law) -> Outcome {
+fn solve(problem: &FclibProblem, law: FclibLaw) -> FclibOutcome {
     fclib::solve(problem, law, &tight(), &mut Silent).unwrap()
 }
 
@@ -43,9 +44,9 @@ fn near(found: &[f64], expected: &[f64], tolerance: f64) {
     assert_near(found, expected, tolerance, "FCLIB");
 }
 
-fn diagonal(values: &[f64]) -> Matrix {
+fn diagonal(values: &[f64]) -> FclibMatrix {
     let entries = values.iter().enumerate().map(|(i, &value)| (i, i, value));
-    Matrix::new(values.len(), values.len(), entries.collect()).unwrap()
+    FclibMatrix::new(values.len(), values.len(), entries.collect()).unwrap()
 }
 
 #[test]
@@ -53,12 +54,12 @@ fn all_problems_of_siconos_are_solved_with_both_laws() {
     for name in FILES {
         let problem = document(name).problem;
         for law in [
-            Law::Coulomb,
-            Law::Tresca { bound: 0.05 },
-            Law::Tresca { bound: 0.0 },
+            FclibLaw::Coulomb,
+            FclibLaw::Tresca { bound: 0.05 },
+            FclibLaw::Tresca { bound: 0.0 },
         ] {
             let outcome = solve(&problem, law);
-            let Outcome {
+            let FclibOutcome {
                 solution,
                 residuals,
                 matrix,
@@ -92,8 +93,13 @@ fn all_problems_of_siconos_are_solved_with_both_laws() {
 fn default_settings_are_enough_for_six_digits() {
     for name in FILES {
         let problem = document(name).problem;
-        let outcome =
-            fclib::solve(&problem, Law::Coulomb, &Settings::default(), &mut Silent).unwrap();
+        let outcome = fclib::solve(
+            &problem,
+            FclibLaw::Coulomb,
+            &Settings::default(),
+            &mut Silent,
+        )
+        .unwrap();
         assert!(outcome.solution.status.is_converged(), "{name}");
         assert!(
             outcome.residuals.symmetrised <= 1e-6,
@@ -106,7 +112,7 @@ fn default_settings_are_enough_for_six_digits() {
 #[test]
 fn one_contact_by_hand() {
     // M = H = I, f = −(1, 1, 1), μ = 0.1: it slides along (1, 1), for sticking would take √2 > 0.1.
-    let outcome = solve(&document("GFC3D_Example00.dat").problem, Law::Coulomb);
+    let outcome = solve(&document("GFC3D_Example00.dat").problem, FclibLaw::Coulomb);
     let friction = 0.1 * 0.5_f64.sqrt();
     near(&outcome.forces, &[1.0, friction, friction], 1e-12);
     near(
@@ -135,22 +141,22 @@ fn one_contact_by_hand() {
     let [a, b] = force(low);
     let outcome = solve(
         &document("GFC3D_Example00_badly_scaled.dat").problem,
-        Law::Coulomb,
+        FclibLaw::Coulomb,
     );
     near(&outcome.forces, &[1.0, a, b], 1e-9);
 
     // A contact that opens: u = q where q_N > 0.
-    let open = Problem::Local(LocalProblem {
+    let open = FclibProblem::Local(LocalProblem {
         dimension: 2,
         w: diagonal(&[2.0, 3.0]),
         q: vec![0.5, -4.0],
         friction: vec![0.3],
     });
-    let outcome = solve(&open, Law::Coulomb);
+    let outcome = solve(&open, FclibLaw::Coulomb);
     near(&outcome.forces, &[0.0, 0.0], 0.0);
     near(&outcome.velocities, &[0.5, -4.0], 0.0);
     // Tresca's law holds an open contact back all the same: u_T = −4 + 3·1.
-    let outcome = solve(&open, Law::Tresca { bound: 1.0 });
+    let outcome = solve(&open, FclibLaw::Tresca { bound: 1.0 });
     near(&outcome.forces, &[0.0, 1.0], 1e-12);
     near(&outcome.velocities, &[0.5, -1.0], 1e-12);
 }
@@ -158,7 +164,7 @@ fn one_contact_by_hand() {
 /// A rigid block of mass 1, half as high as wide, on its four corners, under an impulse of weight 1
 /// and a push. 12 contact forces for 6 motions: W is singular, and how the corners share the load is
 /// nobody's business.
-fn block(push: f64) -> Problem {
+fn block(push: f64) -> FclibProblem {
     let (half, height) = (0.5, 0.25);
     let mut entries = Vec::new();
     for corner in 0..4 {
@@ -182,10 +188,10 @@ fn block(push: f64) -> Problem {
     let (width, tall) = (2.0 * half, 2.0 * height);
     let inertia = (width * width + tall * tall) / 12.0;
     let turning = (width * width + width * width) / 12.0;
-    Problem::Global(GlobalProblem {
+    FclibProblem::Global(GlobalProblem {
         dimension: 3,
         m: diagonal(&[1.0, 1.0, 1.0, inertia, inertia, turning]),
-        h: Matrix::new(6, 12, entries).unwrap(),
+        h: FclibMatrix::new(6, 12, entries).unwrap(),
         f: vec![push, 0.0, -1.0, 0.0, 0.0, 0.0],
         w: vec![0.0; 12],
         friction: vec![0.5; 4],
@@ -194,12 +200,12 @@ fn block(push: f64) -> Problem {
 
 #[test]
 fn a_singular_w_is_survived() {
-    let sums = |outcome: &Outcome| -> [f64; 3] {
+    let sums = |outcome: &FclibOutcome| -> [f64; 3] {
         let forces = outcome.forces.chunks(3);
         std::array::from_fn(|k| forces.clone().map(|r| r[k]).sum())
     };
     // Pushed with less than μ times the weight it stays.
-    let outcome = solve(&block(0.3), Law::Coulomb);
+    let outcome = solve(&block(0.3), FclibLaw::Coulomb);
     assert!(outcome.solution.status.is_converged());
     assert_eq!(
         (outcome.matrix.rank, outcome.matrix.unknowns),
@@ -210,7 +216,7 @@ fn a_singular_w_is_survived() {
     near(&outcome.global_velocities.clone().unwrap(), &[0.0; 6], 1e-8);
     assert!(outcome.residuals.scaled < 1e-8, "{:?}", outcome.residuals);
     // With more it slides, friction being μ times the weight however the corners share it.
-    let outcome = solve(&block(0.8), Law::Coulomb);
+    let outcome = solve(&block(0.8), FclibLaw::Coulomb);
     assert!(
         outcome.solution.status.is_converged(),
         "{}",
@@ -226,42 +232,42 @@ fn a_singular_w_is_survived() {
 
     let plane = solve(
         &document("FC2D_SliderCrankLagrangian00000.dat").problem,
-        Law::Coulomb,
+        FclibLaw::Coulomb,
     );
     assert!(plane.matrix.is_singular());
 }
 
 #[test]
 fn no_contact_is_no_trouble() {
-    let nothing = Problem::Local(LocalProblem {
+    let nothing = FclibProblem::Local(LocalProblem {
         dimension: 3,
         w: diagonal(&[]),
         q: Vec::new(),
         friction: Vec::new(),
     });
-    let outcome = solve(&nothing, Law::Coulomb);
+    let outcome = solve(&nothing, FclibLaw::Coulomb);
     assert!(outcome.solution.status.is_converged());
     assert_eq!((outcome.forces.len(), outcome.residuals.scaled), (0, 0.0));
 }
 
 #[test]
 fn units_do_not_matter() {
-    let Problem::Local(rover) = document("Rover1039.dat").problem else {
+    let FclibProblem::Local(rover) = document("Rover1039.dat").problem else {
         panic!("a local problem")
     };
-    let before = solve(&Problem::Local(rover.clone()), Law::Coulomb);
+    let before = solve(&FclibProblem::Local(rover.clone()), FclibLaw::Coulomb);
     // Velocities in mm/s: W and q grow by 1000, forces stay.
     let entries = rover
         .w
         .entries()
         .iter()
         .map(|&(i, j, w)| (i, j, 1000.0 * w));
-    let millimetres = Problem::Local(LocalProblem {
-        w: Matrix::new(12, 12, entries.collect()).unwrap(),
+    let millimetres = FclibProblem::Local(LocalProblem {
+        w: FclibMatrix::new(12, 12, entries.collect()).unwrap(),
         q: rover.q.iter().map(|q| 1000.0 * q).collect(),
         ..rover
     });
-    let after = solve(&millimetres, Law::Coulomb);
+    let after = solve(&millimetres, FclibLaw::Coulomb);
     near(&after.forces, &before.forces, 1e-6);
     assert_eq!(
         after.solution.figures.iterations,
@@ -278,38 +284,38 @@ fn what_is_wrong_is_refused_and_said() {
         q: vec![-1.0, 0.0],
         friction: vec![0.5],
     };
-    let refused = |problem: &Problem, law| {
+    let refused = |problem: &FclibProblem, law| {
         let error = fclib::solve(problem, law, &tight(), &mut Silent).unwrap_err();
         error.to_string()
     };
     let local = |change: &dyn Fn(&mut LocalProblem)| {
         let mut own = contact.clone();
         change(&mut own);
-        Problem::Local(own)
+        FclibProblem::Local(own)
     };
     let lopsided = local(&|p| {
-        p.w = Matrix::new(2, 2, vec![(0, 0, 1.0), (1, 1, 1.0), (0, 1, 0.5)]).unwrap();
+        p.w = FclibMatrix::new(2, 2, vec![(0, 0, 1.0), (1, 1, 1.0), (0, 1, 0.5)]).unwrap();
     });
     assert_eq!(
-        refused(&lopsided, Law::Coulomb),
+        refused(&lopsided, FclibLaw::Coulomb),
         "W is not symmetric: entries differ from their mirror images by up to 2.5e-1 of the largest \
          entry (allowed: 1e-3, which is then averaged away)"
     );
     let negative = local(&|p| p.friction = vec![-1.0]);
-    assert!(refused(&negative, Law::Coulomb).contains("contact 0 is -1"));
+    assert!(refused(&negative, FclibLaw::Coulomb).contains("contact 0 is -1"));
     let sound = local(&|_| ());
     for bound in [f64::NAN, -1.0, f64::INFINITY] {
-        let text = refused(&sound, Law::Tresca { bound });
+        let text = refused(&sound, FclibLaw::Tresca { bound });
         assert!(
             text.starts_with("the slip bound must be a number ≥ 0"),
             "{text}"
         );
     }
-    let Problem::Global(mut global) = block(0.1) else {
+    let FclibProblem::Global(mut global) = block(0.1) else {
         panic!("a global problem")
     };
     global.m = diagonal(&[1.0, 1.0, -1.0, 1.0, 1.0, 1.0]);
-    let text = refused(&Problem::Global(global), Law::Coulomb);
+    let text = refused(&FclibProblem::Global(global), FclibLaw::Coulomb);
     assert!(
         text.starts_with("M: the matrix is not positive definite"),
         "{text}"
@@ -342,7 +348,7 @@ fn bricks(friction: FrictionLaw) -> Model {
     model
 }
 
-fn exported(model: &Model) -> Result<Document, ProblemError> {
+fn exported(model: &Model) -> Result<Document, FclibProblemError> {
     let mut progress = tresca::Silent;
     let mut prepared = tresca::prepare(model, &tight(), &mut progress).unwrap();
     let outcome = prepared.solve(&tight(), &mut progress).unwrap();
@@ -361,7 +367,7 @@ fn our_problems_go_out_and_come_back() {
     let path = directory.path().join("bricks.dat");
     std::fs::write(&path, text).unwrap();
 
-    let outcome = solve(&fclib::read(&path).unwrap().problem, Law::Coulomb);
+    let outcome = solve(&fclib::read(&path).unwrap().problem, FclibLaw::Coulomb);
     assert!(outcome.solution.status.is_converged());
     assert!(outcome.residuals.scaled <= 1e-8, "{:?}", outcome.residuals);
     let size = expected.r.iter().fold(0.0_f64, |a, r| a.max(r.abs()));
@@ -384,9 +390,10 @@ fn our_problems_go_out_and_come_back() {
 fn the_written_files_hold_the_solution() {
     let document = document("FC2D_SliderCrankLagrangian00000.dat");
     let settings = tight();
-    let outcome = fclib::solve(&document.problem, Law::Coulomb, &settings, &mut Silent).unwrap();
+    let outcome =
+        fclib::solve(&document.problem, FclibLaw::Coulomb, &settings, &mut Silent).unwrap();
     let directory = tempfile::tempdir().unwrap();
-    let write = |document: &Document, outcome: &Outcome| {
+    let write = |document: &Document, outcome: &FclibOutcome| {
         Destination::new(directory.path())
             .and_then(|to| to.write_fclib("crank", document, outcome, &settings))
             .unwrap()
@@ -444,7 +451,7 @@ fn the_written_files_hold_the_solution() {
             ..settings.clone()
         };
         let unfinished =
-            fclib::solve(&document.problem, Law::Coulomb, &hasty, &mut Silent).unwrap();
+            fclib::solve(&document.problem, FclibLaw::Coulomb, &hasty, &mut Silent).unwrap();
         assert!(!write(&document, &unfinished).converged());
         let written = fclib::read(&directory.path().join("crank.hdf5")).unwrap();
         assert!(written.solution.is_none());

@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use tresca::algebraic::{self, AlgebraicError, Assembly};
-use tresca::fclib::{self, ProblemError};
+use tresca::fclib::{self, FclibProblemError};
 use tresca::{
     FrictionLaw, IterationRecord, Method, Model, Progress, Settings, SolveError, Stage, Status,
     Stopped,
@@ -71,10 +71,10 @@ fn foreign(stop: &mut Stop) -> End {
     // Solving it poses the loads.
     prepared.solve(&settings(), &mut tresca::Silent).unwrap();
     let local = fclib::local_problem(prepared.system().dual()).unwrap();
-    let problem = fclib::Problem::Local(local);
-    match fclib::solve(&problem, fclib::Law::Coulomb, &settings(), stop) {
+    let problem = fclib::FclibProblem::Local(local);
+    match fclib::solve(&problem, fclib::FclibLaw::Coulomb, &settings(), stop) {
         Ok(outcome) => Ok((outcome.solution.status, outcome.solution.figures.iterations)),
-        Err(ProblemError::Stopped(stopped)) => Err(stopped),
+        Err(FclibProblemError::Stopped(stopped)) => Err(stopped),
         Err(error) => panic!("{error}"),
     }
 }

@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use tresca::algebraic::{self, Assembly, Dual, Law, Operator};
+use tresca::algebraic::{self, Assembly, Dual, Operator, PairLaw};
 use tresca::case::Case;
-use tresca::fclib::{self, Document, GlobalProblem, Problem, State};
+use tresca::fclib::{self, Document, FclibProblem, GlobalProblem, State};
 use tresca::output::Destination;
 use tresca::report::{RunReport, SCHEMA};
 use tresca::{Settings, Silent};
@@ -85,12 +85,12 @@ fn matrices(folder: &Path) -> Value {
 /// As Python has it: nothing is written.
 fn dual() -> Value {
     let operator = Operator::dense(2, &[2.0, 0.5, 0.5, 1.0]).unwrap();
-    let dual = Dual::new(operator, vec![1.0, 1.0], 1, Law::tresca(0.2));
+    let dual = Dual::new(operator, vec![1.0, 1.0], 1, PairLaw::tresca(0.2));
     let solution = algebraic::solve_dual(dual, &Settings::default(), &mut Silent).unwrap();
     serde_json::to_value(RunReport::of_matrices(&solution)).unwrap()
 }
 
-fn fclib(document: &Document, law: fclib::Law, folder: &Path) -> Value {
+fn fclib(document: &Document, law: fclib::FclibLaw, folder: &Path) -> Value {
     let settings = Settings::default();
     let outcome = fclib::solve(&document.problem, law, &settings, &mut Silent).unwrap();
     let to = Destination::new(folder).unwrap();
@@ -108,9 +108,9 @@ fn fclibs(folder: &Path) -> Vec<Value> {
         u: vec![1.0; local.problem.unknowns()],
         r: vec![1.0; local.problem.unknowns()],
     });
-    let identity = || fclib::Matrix::new(3, 3, (0..3).map(|i| (i, i, 1.0)).collect()).unwrap();
+    let identity = || fclib::FclibMatrix::new(3, 3, (0..3).map(|i| (i, i, 1.0)).collect()).unwrap();
     let global = Document {
-        problem: Problem::Global(GlobalProblem {
+        problem: FclibProblem::Global(GlobalProblem {
             dimension: 3,
             m: identity(),
             h: identity(),
@@ -121,9 +121,9 @@ fn fclibs(folder: &Path) -> Vec<Value> {
         solution: None,
         ..local.clone()
     };
-    let tresca = fclib::Law::Tresca { bound: 0.5 };
+    let tresca = fclib::FclibLaw::Tresca { bound: 0.5 };
     vec![
-        fclib(&local, fclib::Law::Coulomb, folder),
+        fclib(&local, fclib::FclibLaw::Coulomb, folder),
         fclib(&global, tresca, folder),
     ]
 }

@@ -11,10 +11,10 @@ use super::super::error::Trouble;
 use super::super::matrix::check_pointers;
 use super::tokens::{Tokens, count};
 use crate::fclib::error::Defect;
-use crate::fclib::matrix::Matrix;
+use crate::fclib::matrix::FclibMatrix;
 
 /// Takes a matrix.
-pub fn read(tokens: &mut Tokens) -> Result<Matrix, Trouble> {
+pub fn read(tokens: &mut Tokens) -> Result<FclibMatrix, Trouble> {
     let storage = tokens.count("the storage scheme of a matrix")?;
     let storage_line = tokens.line();
     let rows = tokens.count("the number of rows")?;
@@ -28,7 +28,7 @@ pub fn read(tokens: &mut Tokens) -> Result<Matrix, Trouble> {
             return Err(Defect::Storage(other).on(storage_line));
         }
     };
-    Matrix::new(rows, columns, entries).map_err(|defect| defect.on(tokens.line()))
+    FclibMatrix::new(rows, columns, entries).map_err(|defect| defect.on(tokens.line()))
 }
 
 type Entries = Vec<(usize, usize, f64)>;

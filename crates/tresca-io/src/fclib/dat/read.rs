@@ -1,11 +1,11 @@
 //! Reading the text.
 
 use super::super::error::Trouble;
-use super::super::problem::{Document, GlobalProblem, LocalProblem, Problem, dimension};
+use super::super::problem::{Document, FclibProblem, GlobalProblem, LocalProblem, dimension};
 use super::matrix;
 use super::tokens::{Tokens, count};
 use crate::fclib::error::Defect;
-use crate::fclib::matrix::Matrix;
+use crate::fclib::matrix::FclibMatrix;
 
 /// A problem from its text.
 pub fn read(text: &str) -> Result<Document, Trouble> {
@@ -26,7 +26,7 @@ pub fn read(text: &str) -> Result<Document, Trouble> {
         let h = matrix::read(&mut tokens)?;
         let f = tokens.numbers(first.rows(), "an entry of f")?;
         let w = tokens.numbers(unknowns, "an entry of w")?;
-        Problem::Global(GlobalProblem {
+        FclibProblem::Global(GlobalProblem {
             dimension: space,
             m: first,
             h,
@@ -40,7 +40,7 @@ pub fn read(text: &str) -> Result<Document, Trouble> {
         if found != expected {
             return Err(Defect::Shape { expected, found }.on(first_line));
         }
-        Problem::Local(LocalProblem {
+        FclibProblem::Local(LocalProblem {
             dimension: space,
             w: first,
             q: tokens.numbers(unknowns, "an entry of q")?,
@@ -55,7 +55,7 @@ pub fn read(text: &str) -> Result<Document, Trouble> {
 /// Whether a second matrix follows, as it does in a global problem: a storage scheme and the size of
 /// an H that fits. The entries of a q could only look like that if Siconos printed numbers without
 /// exponents.
-pub fn follows_matrix(tokens: &Tokens, first: &Matrix, unknowns: usize) -> bool {
+pub fn follows_matrix(tokens: &Tokens, first: &FclibMatrix, unknowns: usize) -> bool {
     let whole = |offset| tokens.peek(offset).and_then(|word: &str| word.parse().ok());
     let scheme: Option<usize> = whole(0);
     scheme.is_some_and(|scheme| scheme <= 2)

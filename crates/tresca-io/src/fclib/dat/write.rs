@@ -2,9 +2,9 @@
 
 use std::io::Write;
 
-use super::super::problem::{Document, Problem};
+use super::super::problem::{Document, FclibProblem};
 use crate::error::WriteError;
-use crate::fclib::matrix::Matrix;
+use crate::fclib::matrix::FclibMatrix;
 
 /// The word in the version line of a sparse matrix; readers skip that line.
 const WRITER: &str = "CSparse triplets, written by tresca";
@@ -20,11 +20,11 @@ impl Document {
         let problem = &self.problem;
         writeln!(out, "{}\n{}", problem.dimension(), problem.contacts())?;
         match problem {
-            Problem::Local(local) => {
+            FclibProblem::Local(local) => {
                 matrix(out, &local.w)?;
                 numbers(out, &local.q)?;
             }
-            Problem::Global(global) => {
+            FclibProblem::Global(global) => {
                 matrix(out, &global.m)?;
                 matrix(out, &global.h)?;
                 numbers(out, &global.f)?;
@@ -35,7 +35,7 @@ impl Document {
     }
 }
 
-fn matrix(out: &mut dyn Write, matrix: &Matrix) -> Result<(), WriteError> {
+fn matrix(out: &mut dyn Write, matrix: &FclibMatrix) -> Result<(), WriteError> {
     let (rows, columns) = (matrix.rows(), matrix.columns());
     if matrix.is_rather_dense() {
         writeln!(out, "0\n{rows}\n{columns}\n{rows}\t{columns}")?;

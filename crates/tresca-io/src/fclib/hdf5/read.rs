@@ -5,10 +5,10 @@ use hdf5_pure::{Error, File, FormatError};
 use super::super::error::Trouble;
 use super::super::matrix::check_pointers;
 use super::super::problem::{
-    Document, GlobalProblem, Info, LocalProblem, Problem, State, dimension,
+    Document, FclibProblem, GlobalProblem, Info, LocalProblem, State, dimension,
 };
 use crate::fclib::error::Defect;
-use crate::fclib::matrix::Matrix;
+use crate::fclib::matrix::FclibMatrix;
 
 /// A problem and what comes with it, from the bytes of the file.
 pub fn read(bytes: Vec<u8>) -> Result<Document, Trouble> {
@@ -33,11 +33,11 @@ pub fn read(bytes: Vec<u8>) -> Result<Document, Trouble> {
 struct Reader(File);
 
 impl Reader {
-    fn local(&self) -> Result<Problem, Trouble> {
+    fn local(&self) -> Result<FclibProblem, Trouble> {
         for part in ["V", "R"] {
             self.without(&format!("/fclib_local/{part}"))?;
         }
-        Ok(Problem::Local(LocalProblem {
+        Ok(FclibProblem::Local(LocalProblem {
             dimension: self.dimension("/fclib_local/spacedim")?,
             w: self.matrix("/fclib_local/W")?,
             q: self.numbers("/fclib_local/vectors/q")?,
@@ -45,9 +45,9 @@ impl Reader {
         }))
     }
 
-    fn global(&self) -> Result<Problem, Trouble> {
+    fn global(&self) -> Result<FclibProblem, Trouble> {
         self.without("/fclib_global/G")?;
-        Ok(Problem::Global(GlobalProblem {
+        Ok(FclibProblem::Global(GlobalProblem {
             dimension: self.dimension("/fclib_global/spacedim")?,
             m: self.matrix("/fclib_global/M")?,
             h: self.matrix("/fclib_global/H")?,
@@ -98,7 +98,7 @@ impl Reader {
         dimension(self.integer(name)?).map_err(|defect| defect.at(name))
     }
 
-    fn matrix(&self, group: &str) -> Result<Matrix, Trouble> {
+    fn matrix(&self, group: &str) -> Result<FclibMatrix, Trouble> {
         let part = |name: &str| format!("{group}/{name}");
         let rows = self.count(&part("m"))?;
         let columns = self.count(&part("n"))?;
@@ -117,7 +117,7 @@ impl Reader {
             other => Err(("nz", Defect::Storage(other))),
         };
         let entries = entries.map_err(|(name, defect)| defect.at(part(name)))?;
-        Matrix::new(rows, columns, entries).map_err(|defect| defect.at(group))
+        FclibMatrix::new(rows, columns, entries).map_err(|defect| defect.at(group))
     }
 
     fn has(&self, path: &str) -> Result<bool, Trouble> {

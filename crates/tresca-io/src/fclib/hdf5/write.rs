@@ -4,9 +4,9 @@ use std::io::Write;
 
 use hdf5_pure::{FileBuilder, GroupBuilder, LibVer};
 
-use super::super::problem::{Document, Info, Problem, State};
+use super::super::problem::{Document, FclibProblem, Info, State};
 use crate::error::WriteError;
-use crate::fclib::matrix::Matrix;
+use crate::fclib::matrix::FclibMatrix;
 
 impl Document {
     /// Writes the document in the layout of FCLIB, in the format of HDF5 1.8, matrices by compressed
@@ -21,8 +21,8 @@ impl Document {
         // FCLIB is read by programs with old libraries.
         file.with_libver_bounds(LibVer::Earliest, LibVer::V18);
         let name = match &self.problem {
-            Problem::Local(_) => "fclib_local",
-            Problem::Global(_) => "fclib_global",
+            FclibProblem::Local(_) => "fclib_local",
+            FclibProblem::Global(_) => "fclib_global",
         };
         let mut group = file.create_group(name);
         problem(&mut group, &self.problem)?;
@@ -48,15 +48,15 @@ impl Document {
     }
 }
 
-fn problem(group: &mut GroupBuilder, problem: &Problem) -> Result<(), WriteError> {
+fn problem(group: &mut GroupBuilder, problem: &FclibProblem) -> Result<(), WriteError> {
     integers(group, "spacedim", &[problem.dimension()])?;
     let mut vectors = group.create_group("vectors");
     match problem {
-        Problem::Local(local) => {
+        FclibProblem::Local(local) => {
             matrix(group, "W", &local.w)?;
             numbers(&mut vectors, "q", &local.q);
         }
-        Problem::Global(global) => {
+        FclibProblem::Global(global) => {
             matrix(group, "M", &global.m)?;
             matrix(group, "H", &global.h)?;
             numbers(&mut vectors, "f", &global.f);
@@ -68,7 +68,7 @@ fn problem(group: &mut GroupBuilder, problem: &Problem) -> Result<(), WriteError
     Ok(())
 }
 
-fn matrix(group: &mut GroupBuilder, name: &str, matrix: &Matrix) -> Result<(), WriteError> {
+fn matrix(group: &mut GroupBuilder, name: &str, matrix: &FclibMatrix) -> Result<(), WriteError> {
     let mut entries = matrix.entries().to_vec();
     // By rows they are; a stable sort makes them by columns, rows ascending.
     entries.sort_by_key(|&(_, column, _)| column);

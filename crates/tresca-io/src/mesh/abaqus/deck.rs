@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::super::error::{MeshFault, MeshFileError};
-use crate::located::{Place, Position};
+use crate::located::{FilePlace, Position};
 
 /// A deck, cut into keywords.
 #[derive(Debug)]
@@ -110,8 +110,8 @@ impl<'a> Keyword<'a> {
     }
 
     /// A line in words.
-    pub fn place(&self, line: usize) -> Place {
-        Place {
+    pub fn place(&self, line: usize) -> FilePlace {
+        FilePlace {
             path: self.path.to_owned(),
             position: Position::Line(line),
         }

@@ -6,7 +6,7 @@ use tresca_fem::mesh::{CellBlock, Space};
 
 use super::super::file::MeshFile;
 use super::super::order::{reorder, turned_over};
-use super::note::Note;
+use super::note::MeshNote;
 
 /// What of a file belongs to a body.
 #[derive(Debug)]
@@ -61,7 +61,7 @@ impl Members {
         file: &MeshFile,
         space: Space,
         points: &[[f64; 3]],
-        notes: &mut Vec<Note>,
+        notes: &mut Vec<MeshNote>,
     ) -> Vec<CellBlock> {
         let clockwise = match space.dimension() {
             2 => self.clockwise_entities(file, points),
@@ -87,7 +87,7 @@ impl Members {
             }
         }
         if turned > 0 {
-            notes.push(Note::Clockwise { cells: turned });
+            notes.push(MeshNote::Clockwise { cells: turned });
         }
         blocks
     }

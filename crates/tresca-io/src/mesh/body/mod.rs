@@ -15,13 +15,14 @@ use super::file::MeshFile;
 use super::placement::Placement;
 use finder::Finder;
 use members::Members;
-use note::Note;
+use note::MeshNote;
 
 /// Nodes nearer than this part of a body's size count as one place.
 const SAME_PLACE: f64 = 1e-9;
 
 /// The mesh of a body with what was noticed on the way.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct BodyMesh {
     /// Nodes are numbered without gaps, in the order of the file; cells block by block, in each in
     /// the order of the file. Surface groups that have faces on this body are face sets; point,
@@ -30,7 +31,7 @@ pub struct BodyMesh {
     /// as in `0:rim`.
     pub mesh: Mesh,
     /// What may be a mistake, or was put right.
-    pub notes: Vec<Note>,
+    pub notes: Vec<MeshNote>,
     /// Surface groups of this body that cannot be face sets, with the reason.
     pub unusable: BTreeMap<String, MeshFileError>,
     /// The cell of the file that each cell of the mesh is.
@@ -157,10 +158,10 @@ impl MeshFile {
         })
     }
 
-    fn duplicate_nodes(&self, mesh: &Mesh, members: &Members) -> Option<Note> {
+    fn duplicate_nodes(&self, mesh: &Mesh, members: &Members) -> Option<MeshNote> {
         let pairs = mesh.duplicate_nodes(SAME_PLACE);
         let &[first, second] = pairs.first()?;
-        Some(Note::DuplicateNodes {
+        Some(MeshNote::DuplicateNodes {
             pairs: pairs.len(),
             first: [first, second].map(|node| self.point_numbers[members.nodes[node]]),
             at: mesh.points[first],

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// Something about a mesh that its user should know.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Note {
+pub enum MeshNote {
     /// Two nodes of one body at one place: it falls apart there.
     DuplicateNodes {
         /// How many pairs.
@@ -21,17 +21,17 @@ pub enum Note {
     },
 }
 
-impl fmt::Display for Note {
+impl fmt::Display for MeshNote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Note::DuplicateNodes { pairs, first, at } => write!(
+            MeshNote::DuplicateNodes { pairs, first, at } => write!(
                 f,
                 "{pairs} pairs of nodes lie on one another inside of the body, such as {} and {} at {at:?}: it is not \
                  connected there. If it should be, merge the parts before meshing (Gmsh: `Coherence;` or \
                  `BooleanFragments`, afterwards `Coherence Mesh;`)",
                 first[0], first[1]
             ),
-            Note::Clockwise { cells } => write!(
+            MeshNote::Clockwise { cells } => write!(
                 f,
                 "{cells} elements of plane surfaces that run clockwise were turned over"
             ),

@@ -10,7 +10,7 @@ use std::path::Path;
 use tresca_fem::FemError;
 use tresca_fem::mesh::Space;
 
-use crate::located::{Fact, Located, Place};
+use crate::located::{Fault, FilePlace, Located};
 use words::{
     cell_word, found_cells, group_word, known_groups, members_word, nearest_hint, no_cells_help,
 };
@@ -179,7 +179,7 @@ pub enum MeshFault {
     },
 }
 
-impl Fact for MeshFault {
+impl Fault for MeshFault {
     fn code(&self) -> &'static str {
         match self {
             MeshFault::Unreadable { .. } => "mesh::unreadable",
@@ -208,7 +208,7 @@ impl Fact for MeshFault {
         }
     }
 
-    fn tell(&self, place: &Place, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn tell(&self, place: &FilePlace, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             MeshFault::Unreadable { source } => write!(
                 f,
@@ -421,13 +421,13 @@ impl Fact for MeshFault {
 
 impl MeshFault {
     /// At a place.
-    pub(super) fn at(self, place: impl Into<Place>) -> MeshFileError {
+    pub(super) fn at(self, place: impl Into<FilePlace>) -> MeshFileError {
         Located::new(self, place)
     }
 
     /// A fault of the text without a known cause.
     pub(super) fn syntax(
-        place: Place,
+        place: FilePlace,
         expected: impl Into<String>,
         found: impl Into<String>,
     ) -> MeshFileError {

@@ -13,7 +13,7 @@ use super::super::numbering::Numbering;
 use super::super::order::{from_gmsh, reorder};
 use super::input::Input;
 use super::kinds::{Kind, kind};
-use crate::located::Place;
+use crate::located::FilePlace;
 
 /// Names of physical groups, by dimension and number.
 pub(super) type Names = HashMap<(usize, i32), String>;
@@ -63,7 +63,7 @@ impl Draft {
     /// Appends a node.
     pub fn push_node(
         &mut self,
-        place: impl FnOnce() -> Place,
+        place: impl FnOnce() -> FilePlace,
         number: u64,
         point: [f64; 3],
     ) -> Result<(), MeshFileError> {
@@ -80,7 +80,7 @@ impl Draft {
     }
 
     /// All nodes are there.
-    pub fn end_nodes(&mut self, place: Place) -> Result<(), MeshFileError> {
+    pub fn end_nodes(&mut self, place: FilePlace) -> Result<(), MeshFileError> {
         let numbering = Numbering::new(&self.point_numbers).map_err(|i| {
             MeshFault::DuplicateNumber {
                 what: "node",

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use super::super::error::{MeshFault, MeshFileError};
-use crate::located::{Place, Position};
+use crate::located::{FilePlace, Position};
 
 /// How the numbers of a file are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +47,7 @@ impl<'a> Input<'a> {
     }
 
     /// Where the next thing stands.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> FilePlace {
         self.place_of(self.at)
     }
 
@@ -57,7 +57,7 @@ impl<'a> Input<'a> {
     }
 
     /// A mark in words. Lines are counted only now that one is wanted.
-    pub fn place_of(&self, at: usize) -> Place {
+    pub fn place_of(&self, at: usize) -> FilePlace {
         let position = match self.encoding {
             Encoding::Text => {
                 // Behind the blanks that come before the next word.
@@ -69,7 +69,7 @@ impl<'a> Input<'a> {
             }
             Encoding::Binary { .. } => Position::Byte(at),
         };
-        Place {
+        FilePlace {
             path: self.path.to_owned(),
             position,
         }

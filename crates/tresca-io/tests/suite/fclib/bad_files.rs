@@ -4,7 +4,7 @@ use std::fs;
 
 use super::{data, local, lopsided, read_text};
 use tresca_io::WriteError;
-use tresca_io::fclib::{Document, FclibFault, Matrix, Problem, read};
+use tresca_io::fclib::{Document, FclibFault, FclibMatrix, FclibProblem, read};
 
 fn refusal(text: &str) -> String {
     let text = read_text(text).unwrap_err().to_string();
@@ -122,18 +122,18 @@ fn texts_cut_and_garbled_everywhere() {
 #[test]
 fn no_file() {
     let error = read(&data("nothing.dat")).unwrap_err();
-    assert!(matches!(error.fact(), FclibFault::Io(_)), "{error}");
+    assert!(matches!(error.fault(), FclibFault::Io(_)), "{error}");
 }
 
 #[test]
 fn problems_that_do_not_fit_are_not_written() {
     let mut short = read(&data("Rover1039.dat")).unwrap();
-    if let Problem::Local(problem) = &mut short.problem {
+    if let FclibProblem::Local(problem) = &mut short.problem {
         problem.q.pop();
     }
     let mut oblong: Document = lopsided();
-    if let Problem::Global(problem) = &mut oblong.problem {
-        problem.h = Matrix::new(2, 4, Vec::new()).unwrap();
+    if let FclibProblem::Global(problem) = &mut oblong.problem {
+        problem.h = FclibMatrix::new(2, 4, Vec::new()).unwrap();
     }
     let refused = |document: &Document| {
         let mut nothing = Vec::new();
@@ -157,5 +157,5 @@ fn problems_that_do_not_fit_are_not_written() {
 #[test]
 fn hdf5_is_refused_by_name() {
     let error = read(&data("local_h5py.hdf5")).unwrap_err();
-    assert!(matches!(error.fact(), FclibFault::WithoutHdf5), "{error}");
+    assert!(matches!(error.fault(), FclibFault::WithoutHdf5), "{error}");
 }

@@ -1,6 +1,6 @@
 //! The ways in which Siconos writes a matrix, and our own text.
 
-use tresca_io::fclib::{Document, LocalProblem, Matrix, Problem};
+use tresca_io::fclib::{Document, FclibMatrix, FclibProblem, LocalProblem};
 
 use super::{local, lopsided, matrix, read_text};
 
@@ -64,9 +64,9 @@ fn an_empty_first_column_ends_at_minus_one() {
 #[test]
 fn a_written_text_reads_back_to_the_same_bits() {
     let sparse: Vec<_> = (0..30).map(|i| (i, i, 1.0 / (i + 3) as f64)).collect();
-    let diagonal: Document = Problem::Local(LocalProblem {
+    let diagonal: Document = FclibProblem::Local(LocalProblem {
         dimension: 3,
-        w: Matrix::new(30, 30, sparse).unwrap(),
+        w: FclibMatrix::new(30, 30, sparse).unwrap(),
         q: (0..30).map(|i| (i as f64).sin()).collect(),
         friction: vec![0.7; 10],
     })

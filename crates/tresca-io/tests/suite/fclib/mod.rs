@@ -8,7 +8,7 @@ mod siconos;
 
 use std::path::PathBuf;
 
-use tresca_io::fclib::{Document, GlobalProblem, LocalProblem, Matrix, Problem};
+use tresca_io::fclib::{Document, FclibMatrix, FclibProblem, GlobalProblem, LocalProblem};
 
 /// A file of the test data.
 fn data(name: &str) -> PathBuf {
@@ -25,27 +25,27 @@ fn read_text(text: &str) -> Result<Document, tresca_io::fclib::FclibError> {
     tresca_io::fclib::read(&path)
 }
 
-fn local(problem: &Problem) -> &LocalProblem {
+fn local(problem: &FclibProblem) -> &LocalProblem {
     match problem {
-        Problem::Local(local) => local,
-        Problem::Global(_) => panic!("a global problem"),
+        FclibProblem::Local(local) => local,
+        FclibProblem::Global(_) => panic!("a global problem"),
     }
 }
 
-fn global(problem: &Problem) -> &GlobalProblem {
+fn global(problem: &FclibProblem) -> &GlobalProblem {
     match problem {
-        Problem::Global(global) => global,
-        Problem::Local(_) => panic!("a local problem"),
+        FclibProblem::Global(global) => global,
+        FclibProblem::Local(_) => panic!("a local problem"),
     }
 }
 
 /// A matrix by its rows.
-fn matrix<const COLUMNS: usize>(rows: &[[f64; COLUMNS]]) -> Matrix {
+fn matrix<const COLUMNS: usize>(rows: &[[f64; COLUMNS]]) -> FclibMatrix {
     let entries = rows.iter().enumerate().flat_map(|(i, row)| {
         let row = row.iter().enumerate();
         row.map(move |(j, &value)| (i, j, value))
     });
-    Matrix::new(rows.len(), COLUMNS, entries.collect()).unwrap()
+    FclibMatrix::new(rows.len(), COLUMNS, entries.collect()).unwrap()
 }
 
 /// A global problem in the plane whose matrices are neither symmetric nor square where they need
@@ -57,7 +57,7 @@ fn lopsided() -> Document {
         [0.0, 0.0, 0.5, 0.0],
         [0.0, 0.0, 0.0, -2.0],
     ]);
-    Problem::Global(GlobalProblem {
+    FclibProblem::Global(GlobalProblem {
         dimension: 2,
         m,
         h,

@@ -22,7 +22,7 @@ fn other_files_and_versions_are_named() {
         "`bad.msh` is no mesh file of a known format: it begins with `solid ball\\nfacet normal `"
     );
     assert!(matches!(
-        refused("bad.msh", "").fact(),
+        refused("bad.msh", "").fault(),
         MeshFault::Format { .. }
     ));
     for version in ["4.0", "4", "1.0", "3"] {
@@ -38,7 +38,10 @@ fn other_files_and_versions_are_named() {
         );
     }
     let error = refused("bad.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n");
-    assert!(matches!(error.fact(), MeshFault::Version { .. }), "{error}");
+    assert!(
+        matches!(error.fault(), MeshFault::Version { .. }),
+        "{error}"
+    );
     let error = read("there/is/nothing.msh").unwrap_err();
     assert!(
         error
@@ -81,7 +84,7 @@ fn faults_of_the_text_have_a_line() {
     ] {
         let (found, expected) = (error.to_string(), expected);
         // The last line of the file is wherever it is.
-        if let MeshFault::Truncated { .. } = error.fact() {
+        if let MeshFault::Truncated { .. } = error.fault() {
             assert!(
                 found.ends_with("the file ends where `$EndKnoten` is expected"),
                 "{found}"
@@ -156,7 +159,7 @@ fn files_that_are_cut_off_anywhere_are_refused() {
         let last = bytes.trim_ascii_end().len();
         for end in 1..last {
             match parse("cut.msh", &bytes[..end]) {
-                Err(error) => match (error.fact(), &error.place().position) {
+                Err(error) => match (error.fault(), &error.place().position) {
                     (MeshFault::Truncated { .. }, Position::Line(line)) => assert!(*line >= 1),
                     (MeshFault::Truncated { .. }, Position::Byte(byte)) => assert_eq!(*byte, end),
                     (MeshFault::Truncated { .. }, other) => panic!("{other:?}"),

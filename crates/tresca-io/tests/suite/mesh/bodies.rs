@@ -1,7 +1,7 @@
 //! Bodies out of files: what is left out, put right, and refused.
 
 use tresca_fem::mesh::Space;
-use tresca_io::mesh::{MeshFault, MeshFile, MeshFileError, Note, Placement, parse};
+use tresca_io::mesh::{MeshFault, MeshFile, MeshFileError, MeshNote, Placement, parse};
 
 use crate::mesh::support::{body, data, solid};
 
@@ -80,7 +80,7 @@ fn the_wrong_dimension_is_named() {
     let error = refusal(&plates, Space::Solid, None);
     assert!(
         matches!(
-            error.fact(),
+            error.fault(),
             MeshFault::NoCells {
                 dimension: 3,
                 found: [4, 22 | 18 | 16.., 0]
@@ -112,12 +112,15 @@ fn plane_bodies_lie_in_the_plane_and_on_one_side_of_the_axis() {
     };
     let error = place([0.0, 0.0, 0.5], Space::Plane).unwrap_err();
     assert!(
-        matches!(error.fact(), MeshFault::OffPlane { z: 0.5, .. }),
+        matches!(error.fault(), MeshFault::OffPlane { z: 0.5, .. }),
         "{error}"
     );
     let error = place([-1.5, 0.0, 0.0], Space::Axisymmetric).unwrap_err();
     assert!(
-        matches!(error.fact(), MeshFault::NegativeRadius { radius: -0.5, .. }),
+        matches!(
+            error.fault(),
+            MeshFault::NegativeRadius { radius: -0.5, .. }
+        ),
         "{error}"
     );
     // Rounding of the placement is not a hole in the body.
@@ -160,7 +163,7 @@ fn a_body_that_falls_apart_is_noted() {
     let both = body(&file, Space::Plane, None);
     assert_eq!(
         both.notes,
-        [Note::DuplicateNodes {
+        [MeshNote::DuplicateNodes {
             pairs: 2,
             first: [2, 12],
             at: [1.0, 0.0, 0.0]

@@ -1,7 +1,7 @@
 //! Files that Gmsh wrote: one mesh in every version and encoding, and as a deck.
 
 use tresca_fem::mesh::{CellKind, Space};
-use tresca_io::mesh::{MeshFile, Note, parse};
+use tresca_io::mesh::{MeshFile, MeshNote, parse};
 
 use crate::mesh::support::{body, by_place, data, solid};
 
@@ -167,7 +167,7 @@ fn clockwise_surfaces_of_a_plane_mesh_are_turned_over() {
         let file = data(name);
         let both = body(&file, Space::Plane, Some("all"));
         let clockwise = solid_count(&file, "triangles");
-        assert_eq!(both.notes, [Note::Clockwise { cells: clockwise }]);
+        assert_eq!(both.notes, [MeshNote::Clockwise { cells: clockwise }]);
         assert!((both.mesh.volume() - 2.0).abs() < 1e-14);
         let area = both.mesh.area_vector(&both.mesh.face_sets["left"]);
         assert!((area[0] + 1.0).abs() < 1e-14, "{area:?}");

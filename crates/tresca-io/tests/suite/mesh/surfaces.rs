@@ -1,16 +1,16 @@
 //! Rigid surfaces.
 
-use tresca_io::mesh::{MeshFile, Placement, RigidSurface, Rotation, parse};
+use tresca_io::mesh::{MeshFile, Placement, Rotation, SurfaceMesh, parse};
 
 use crate::mesh::support::data;
 
-fn surface(file: &MeshFile, group: Option<&str>, flip: bool) -> RigidSurface {
+fn surface(file: &MeshFile, group: Option<&str>, flip: bool) -> SurfaceMesh {
     let surface = file.surface(3, group, &Placement::default(), flip);
     surface.unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// ∫ x·n dΓ over the corners' triangles: three times the volume that a closed surface encloses.
-fn flux(surface: &RigidSurface) -> f64 {
+fn flux(surface: &SurfaceMesh) -> f64 {
     let triple = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
         a[0] * (b[1] * c[2] - b[2] * c[1])
             + a[1] * (b[2] * c[0] - b[0] * c[2])

@@ -6,8 +6,8 @@ use std::path::Path;
 use tresca_fem::mesh::{BrickSpec, CellBlock, CellKind, Mesh, Space, brick};
 use tresca_io::WriteError;
 use tresca_io::atomic::OutputSet;
-use tresca_io::pvd::{self, Part};
-use tresca_io::results::{BodyFields, ContactFields, SurfaceFields};
+use tresca_io::pvd::{self, PvdPart};
+use tresca_io::results::{BodyFields, ContactFields, NodeContactFields};
 use tresca_io::vtu::{CellShape, Cells, Fact, Field, Grid, Values};
 use vtkio::model::{
     Attribute, CellType, DataSet, Piece, UnstructuredGridPiece, VertexNumbers, Vtk,
@@ -141,7 +141,7 @@ fn a_plane_body_comes_back_with_vectors_of_three_components() {
         stress: &stress,
         von_mises: &[1.0; 4],
         reaction: Some(&vectors),
-        surface: Some(SurfaceFields {
+        surface: Some(NodeContactFields {
             force: &vectors,
             pressure: &numbers,
             traction: &vectors,
@@ -457,7 +457,7 @@ fn a_set_of_grids_is_written_with_its_collection() {
         facts: facts(),
     };
     let contact = Contact::new();
-    let part = |name, file| Part {
+    let part = |name, file| PvdPart {
         name,
         file,
         time: 0.0,

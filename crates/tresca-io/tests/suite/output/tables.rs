@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 use tresca_io::history::{History, Value};
-use tresca_io::pvd::{self, Part};
+use tresca_io::pvd::{self, PvdPart};
 use tresca_io::summary;
 
 #[test]
@@ -123,7 +123,7 @@ fn a_summary_refuses_what_json_cannot_say() {
 
 #[test]
 fn a_collection_numbers_its_parts_per_instant() {
-    let part = |name, file, time| Part { name, file, time };
+    let part = |name, file, time| PvdPart { name, file, time };
     let mut file = Vec::new();
     pvd::write(
         &mut file,

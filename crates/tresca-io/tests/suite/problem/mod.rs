@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use tresca_io::problem::{Content, Dense, KEYS, ProblemFault, Sparse, read};
+use tresca_io::problem::{Content, DenseArray, KEYS, ProblemFault, Sparse, read};
 
 fn data(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -45,7 +45,7 @@ fn what_scipy_writes() {
         content.law,
         Some(vec!["tresca".to_owned(), "coulomb".to_owned()])
     );
-    assert_eq!(content.bounds, Some(Dense::vector(vec![0.1, 0.0])));
+    assert_eq!(content.bounds, Some(DenseArray::vector(vec![0.1, 0.0])));
     let coefficients = content.coefficients.unwrap();
     assert_eq!(coefficients.shape, [2, 2]);
     assert_eq!(coefficients.values, [0.0, 0.0, 0.3, 0.2]);
@@ -129,7 +129,7 @@ fn matrix_market_as_others_write_it() {
     );
     assert_eq!(
         content.limits,
-        Some(Dense::vector(vec![f64::INFINITY, 1.0]))
+        Some(DenseArray::vector(vec![f64::INFINITY, 1.0]))
     );
 
     with_file(
@@ -146,6 +146,9 @@ fn matrix_market_as_others_write_it() {
         "%%MatrixMarket matrix coordinate pattern general\n2 2 0\n",
     );
     let error = read(folder).unwrap_err();
-    assert!(matches!(error.fact(), ProblemFault::Line { .. }), "{error}");
+    assert!(
+        matches!(error.fault(), ProblemFault::Line { .. }),
+        "{error}"
+    );
     assert_eq!(error.line_column(), Some((1, 1)));
 }

@@ -6,7 +6,7 @@ pub mod problems;
 
 pub use tresca_la::vector::{dot, norm};
 use tresca_qcqp::operator::Dense;
-use tresca_qcqp::{DualProblem, DualSolution, Method, ProductSet, Settings, Silent, solve};
+use tresca_qcqp::{DualProblem, DualSolution, Method, ProductSet, Settings, Unobserved, solve};
 
 /// A problem as plain data: a dense matrix, row by row, b and Λ.
 #[derive(Clone, Debug)]
@@ -40,7 +40,7 @@ impl Plain {
             &mut self.problem(),
             settings,
             start.map(Into::into),
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap()
     }

@@ -31,7 +31,7 @@ pub fn constrained_minimiser(plain: &Plain, rows: &[Vec<f64>], rhs: &[f64]) -> O
                 h.push(0.0);
                 cones.push(NonnegativeConeT(1));
             }
-            BlockSet::Point(_) => {
+            BlockSet::Origin(_) => {
                 g.push(h.len(), i, 1.0);
                 h.push(0.0);
                 cones.push(ZeroConeT(1));

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use tresca_qcqp::sets::BlockState;
 use tresca_qcqp::{
     CoulombBound, CoulombMethod, DualProblem, DualSolution, InnerSolver, IterationRecord, Method,
-    ProductSet, QcqpError, Settings, Silent, Start, Status, solve,
+    ProductSet, QcqpError, Settings, Start, Status, Unobserved, solve,
 };
 
 const METHODS: [CoulombMethod; 2] = [CoulombMethod::FixedPoint, CoulombMethod::InLoop];
@@ -42,7 +42,7 @@ fn run(
     settings: &Settings,
 ) -> (DualProblem<'static>, DualSolution) {
     let mut problem = plain.problem().with_coulomb(law).unwrap();
-    let solution = solve(&mut problem, settings, None, &mut Silent).unwrap();
+    let solution = solve(&mut problem, settings, None, &mut Unobserved).unwrap();
     (problem, solution)
 }
 
@@ -231,7 +231,7 @@ fn a_load_step_starts_from_the_last_one() {
             &mut problem,
             &settings,
             Some(Start::from(&first)),
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap();
         assert_eq!(
@@ -262,7 +262,7 @@ fn a_load_step_starts_from_the_last_one() {
             &mut problem,
             &settings,
             Some(Start::from(&warm)),
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap();
         assert_eq!(again.status, Status::Converged);

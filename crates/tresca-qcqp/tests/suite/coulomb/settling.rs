@@ -4,7 +4,7 @@ use super::{METHODS, assert_bounds_follow, indentation, run, settings};
 use crate::common::half_space::HalfSpace;
 use crate::common::{Plain, distance, norm, oracle};
 use tresca_qcqp::{
-    CoulombBound, CoulombMethod, InnerSolver, ProductSet, Settings, Silent, Status, solve,
+    CoulombBound, CoulombMethod, InnerSolver, ProductSet, Settings, Status, Unobserved, solve,
 };
 
 /// λν = 1 − kλτ and λτ = F λν with Fk > 1: the bound jumps between two values for ever.
@@ -102,7 +102,7 @@ fn a_widening_spiral_is_recognised() {
             &mut problem,
             &settings(CoulombMethod::FixedPoint),
             Some(start[..].into()),
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap()
     };
@@ -142,7 +142,7 @@ fn a_block_on_an_incline_slides_when_friction_is_too_small() {
                     inner_solver,
                     ..settings(coulomb)
                 };
-                let solution = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+                let solution = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
                 if !possible {
                     assert_eq!(solution.status, Status::NoEquilibrium, "{what}");
                     let motion = solution.motion.unwrap();
@@ -202,7 +202,7 @@ fn a_block_without_load_needs_no_friction() {
         });
         for coulomb in METHODS {
             let mut problem = floating.problem().with_coulomb(half.law(0.5)).unwrap();
-            let solution = solve(&mut problem, &settings(coulomb), None, &mut Silent).unwrap();
+            let solution = solve(&mut problem, &settings(coulomb), None, &mut Unobserved).unwrap();
             let what = format!("{coulomb}, case {number}");
             assert_eq!(solution.status, Status::Converged, "{what}");
             assert!(

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use tresca_qcqp::sets::{Block, BlockSet};
 use tresca_qcqp::{
     DualSolution, Equality, InnerSolver, IterationRecord, Method, ProductSet, QcqpError, Settings,
-    Silent, Start, Status, solve,
+    Start, Status, Unobserved, solve,
 };
 
 /// A random problem with `count` random rows; e is what a random λ ∈ Λ gives, times `beyond`.
@@ -99,7 +99,7 @@ fn every_kind_agrees_with_the_conic_solver() {
                         ..settings(method, 1e-9)
                     };
                     let solution =
-                        solve(&mut floating.problem(), &settings, None, &mut Silent).unwrap();
+                        solve(&mut floating.problem(), &settings, None, &mut Unobserved).unwrap();
                     assert_solves(&floating, &solution, 1e-9, &what);
                     assert_eq!(solution.multiplier.len(), count);
                     assert!(solution.figures.equality_residual <= 1e-9, "{what}");
@@ -130,7 +130,7 @@ fn a_distant_block_lands_as_a_near_one() {
             inner_solver: InnerSolver::Iterative,
             ..Settings::default()
         };
-        let solution = solve(&mut floating.problem(), &settings, None, &mut Silent).unwrap();
+        let solution = solve(&mut floating.problem(), &settings, None, &mut Unobserved).unwrap();
         assert_eq!(solution.status, Status::Converged, "gap {gap}");
         solution
     };
@@ -176,7 +176,7 @@ fn without_load_nothing_is_pressed() {
                     ..Settings::default()
                 };
                 let solution =
-                    solve(&mut floating.problem(), &settings, None, &mut Silent).unwrap();
+                    solve(&mut floating.problem(), &settings, None, &mut Unobserved).unwrap();
                 assert_solves(
                     &floating,
                     &solution,
@@ -210,12 +210,12 @@ fn a_second_solve_starts_where_the_first_one_ended() {
         inner_solver: InnerSolver::Iterative,
         ..Settings::default()
     };
-    let first = solve(&mut problem, &settings, None, &mut Silent).unwrap();
+    let first = solve(&mut problem, &settings, None, &mut Unobserved).unwrap();
     let again = solve(
         &mut problem,
         &settings,
         Some(Start::from(&first)),
-        &mut Silent,
+        &mut Unobserved,
     )
     .unwrap();
     assert_eq!((again.figures.n_a_setup, again.figures.iterations), (0, 0));
@@ -229,7 +229,7 @@ fn a_second_solve_starts_where_the_first_one_ended() {
         &mut problem,
         &settings,
         Some(Start::from(&first)),
-        &mut Silent,
+        &mut Unobserved,
     )
     .unwrap();
     let heavier = Floating {
@@ -240,7 +240,7 @@ fn a_second_solve_starts_where_the_first_one_ended() {
         ..heavier
     };
     assert_solves(&heavier, &warm, 1e-8, "warm");
-    let cold = solve(&mut heavier.problem(), &settings, None, &mut Silent).unwrap();
+    let cold = solve(&mut heavier.problem(), &settings, None, &mut Unobserved).unwrap();
     assert!(distance(&warm.lambda, &cold.lambda) <= 1e-6 * norm(&cold.lambda));
     assert!(
         warm.figures.n_a < cold.figures.n_a,
@@ -283,7 +283,7 @@ fn units_change_neither_counts_nor_verdicts() {
                 ..Settings::default()
             };
             let run = |floating: Floating| {
-                solve(&mut floating.problem(), &settings, None, &mut Silent).unwrap()
+                solve(&mut floating.problem(), &settings, None, &mut Unobserved).unwrap()
             };
             let reference = run(build(1.0, 1.0));
             assert_eq!(reference.status == Status::NoEquilibrium, share > 1.0);
@@ -320,7 +320,7 @@ fn records_run_on_and_the_observer_can_stop_anywhere() {
         &mut floating.problem(),
         &Settings::default(),
         None,
-        &mut Silent,
+        &mut Unobserved,
     )
     .unwrap();
     for (k, pair) in whole.records.windows(2).enumerate() {
@@ -357,13 +357,13 @@ fn records_run_on_and_the_observer_can_stop_anywhere() {
         max_outer_iterations: 1,
         ..Settings::default()
     };
-    let solution = solve(&mut floating.problem(), &limited, None, &mut Silent).unwrap();
+    let solution = solve(&mut floating.problem(), &limited, None, &mut Unobserved).unwrap();
     assert_eq!(solution.status, Status::IterationLimit);
     let limited = Settings {
         max_iterations: 2,
         ..Settings::default()
     };
-    let solution = solve(&mut floating.problem(), &limited, None, &mut Silent).unwrap();
+    let solution = solve(&mut floating.problem(), &limited, None, &mut Unobserved).unwrap();
     assert_eq!(
         (solution.status, solution.figures.iterations),
         (Status::IterationLimit, 2)
@@ -403,7 +403,7 @@ fn wrong_constraints_are_refused() {
         &mut base.problem(),
         &Settings::default(),
         Some(start),
-        &mut Silent,
+        &mut Unobserved,
     )
     .unwrap_err();
     assert!(matches!(

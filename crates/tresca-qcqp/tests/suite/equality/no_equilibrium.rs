@@ -20,7 +20,7 @@ fn loads_that_nothing_holds_are_proved_so() {
                 &mut floating.problem(),
                 &Settings::default(),
                 None,
-                &mut Silent,
+                &mut Unobserved,
             )
             .unwrap();
             assert_eq!(
@@ -85,7 +85,7 @@ fn the_limit_load_is_sharp() {
                 &mut floating.problem(),
                 &Settings::default(),
                 None,
-                &mut Silent,
+                &mut Unobserved,
             )
             .unwrap();
             if possible {
@@ -109,7 +109,7 @@ fn the_limit_load_is_sharp() {
             &mut floating.problem(),
             &Settings::default(),
             None,
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap();
         match solution.status {
@@ -124,7 +124,7 @@ fn the_limit_load_is_sharp() {
         &mut frictionless.problem(),
         &Settings::default(),
         None,
-        &mut Silent,
+        &mut Unobserved,
     )
     .unwrap();
     assert_eq!(solution.status, Status::NoEquilibrium);
@@ -153,7 +153,7 @@ fn a_motion_that_no_contact_feels_is_decided_by_its_load() {
             &mut floating.problem(),
             &Settings::default(),
             None,
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap();
         if load == 0.0 {

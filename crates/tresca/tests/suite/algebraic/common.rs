@@ -3,7 +3,7 @@
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
-use tresca::algebraic::{Friction, Law, Matrix, Problem, Solution, solve};
+use tresca::algebraic::{Friction, Matrix, MatrixProblem, PairLaw, Solution, solve};
 use tresca::{Settings, Silent};
 use tresca_testkit::assert_near;
 pub use tresca_testkit::largest;
@@ -119,27 +119,27 @@ pub const CONVEX: [Laws; 6] = [
     Laws::Mixed,
 ];
 
-fn law(kind: Laws, rng: &mut StdRng, pair: usize) -> Law {
+fn law(kind: Laws, rng: &mut StdRng, pair: usize) -> PairLaw {
     let positive = |rng: &mut StdRng| 0.1 + rng.random::<f64>();
     match kind {
-        Laws::Frictionless => Law::Frictionless,
-        Laws::Tresca => Law::tresca(positive(rng)),
+        Laws::Frictionless => PairLaw::Frictionless,
+        Laws::Tresca => PairLaw::tresca(positive(rng)),
         Laws::Orthotropic => {
             // Now and then a direction without friction.
             let second = if pair % 3 == 2 { 0.0 } else { positive(rng) };
-            Law::Orthotropic {
+            PairLaw::Orthotropic {
                 bounds: [positive(rng), second],
             }
         }
-        Laws::Tied => Law::Tied,
-        Laws::Bilateral => Law::Bilateral {
+        Laws::Tied => PairLaw::Tied,
+        Laws::Bilateral => PairLaw::Bilateral {
             bound: if pair.is_multiple_of(2) {
                 0.0
             } else {
                 positive(rng)
             },
         },
-        Laws::Coulomb => Law::Coulomb {
+        Laws::Coulomb => PairLaw::Coulomb {
             coefficients: [0.3; 2],
             limit: if pair.is_multiple_of(2) {
                 f64::INFINITY
@@ -161,14 +161,14 @@ fn law(kind: Laws, rng: &mut StdRng, pair: usize) -> Law {
 }
 
 /// A random problem of two blocks, the second with this kernel, that has an equilibrium.
-pub fn random(kind: Laws, tangents: usize, kernel: usize, seed: u64) -> Problem {
+pub fn random(kind: Laws, tangents: usize, kernel: usize, seed: u64) -> MatrixProblem {
     let rng = &mut rng(seed);
     let (m, orders) = (6, [20, 16]);
     let n: usize = orders.iter().sum();
     let first = dense(&stiffness(rng, orders[0], 0));
     let second = dense(&stiffness(rng, orders[1], kernel));
     let b: Vec<Vec<f64>> = (0..(1 + tangents) * m).map(|_| uniforms(rng, n)).collect();
-    let laws: Vec<Law> = (0..m).map(|pair| law(kind, rng, pair)).collect();
+    let laws: Vec<PairLaw> = (0..m).map(|pair| law(kind, rng, pair)).collect();
     // A load that admissible forces balance, beside some elastic forces.
     let b = dense(&b);
     let mut forces = vec![0.0; b.rows()];
@@ -176,9 +176,11 @@ pub fn random(kind: Laws, tangents: usize, kernel: usize, seed: u64) -> Problem 
         forces[pair] = 0.5 + rng.random::<f64>();
         for t in 0..tangents {
             forces[m + tangents * pair + t] = match law {
-                Law::Tresca { bound } | Law::Bilateral { bound } => 0.5 * bound * uniform(rng),
-                Law::Orthotropic { bounds } => 0.5 * bounds[t] * uniform(rng),
-                Law::Coulomb { .. } => 0.05 * uniform(rng),
+                PairLaw::Tresca { bound } | PairLaw::Bilateral { bound } => {
+                    0.5 * bound * uniform(rng)
+                }
+                PairLaw::Orthotropic { bounds } => 0.5 * bounds[t] * uniform(rng),
+                PairLaw::Coulomb { .. } => 0.05 * uniform(rng),
                 _ => 0.0,
             };
         }
@@ -187,7 +189,7 @@ pub fn random(kind: Laws, tangents: usize, kernel: usize, seed: u64) -> Problem 
     let mut load = product(&k, &uniforms(rng, n));
     b.add_transposed_product(&forces, &mut load);
     let gap = (0..m).map(|_| 0.3 * uniform(rng)).collect();
-    let mut problem = Problem::stacked(vec![first, second], &b, m, load)
+    let mut problem = MatrixProblem::stacked(vec![first, second], &b, m, load)
         .unwrap()
         .with_gap(gap)
         .with_friction(Friction::PerPair(laws));
@@ -210,7 +212,7 @@ pub fn tight() -> Settings {
 }
 
 #[track_caller]
-pub fn solved(problem: &Problem, settings: &Settings) -> Solution {
+pub fn solved(problem: &MatrixProblem, settings: &Settings) -> Solution {
     let solution = solve(problem, settings, &mut Silent).unwrap();
     assert!(solution.converged(), "{}", solution.status);
     let worst = solution.certificate.worst();

@@ -1,7 +1,8 @@
 //! What is wrong with the input is said, and where.
 
 use tresca::algebraic::{
-    Dual, Forces, Friction, Kernel, Law, Matrix, MatrixError, Operator, Problem, solve, solve_dual,
+    Dual, Forces, Friction, Kernel, Matrix, MatrixError, MatrixProblem, Operator, PairLaw, solve,
+    solve_dual,
 };
 use tresca::{Settings, Silent};
 
@@ -9,7 +10,7 @@ use super::common::*;
 
 /// The text of the error of a problem with something wrong.
 #[track_caller]
-fn refused(change: impl FnOnce(&mut Problem)) -> String {
+fn refused(change: impl FnOnce(&mut MatrixProblem)) -> String {
     let mut problem = random(Laws::Tresca, 2, 0, 2);
     change(&mut problem);
     solve(&problem, &Settings::default(), &mut Silent)
@@ -159,7 +160,7 @@ fn shapes_and_lengths() {
     );
     let b = Matrix::zeros(8, 5);
     let k = Matrix::zeros(5, 5);
-    let message = Problem::stacked(k, &b, 3, vec![0.0; 5])
+    let message = MatrixProblem::stacked(k, &b, 3, vec![0.0; 5])
         .unwrap_err()
         .to_string();
     assert_says(&message, &["B is 8 × 5", "3, 6 or 9 rows"]);
@@ -171,21 +172,22 @@ fn numbers_that_are_none() {
         &refused(|p| p.conditions.load[4] = f64::NAN),
         &["load", "NaN", "index 4"],
     );
-    let gap =
-        |p: &mut Problem| p.conditions.gap = Some(vec![0.0, f64::INFINITY, 0.0, 0.0, 0.0, 0.0]);
+    let gap = |p: &mut MatrixProblem| {
+        p.conditions.gap = Some(vec![0.0, f64::INFINITY, 0.0, 0.0, 0.0, 0.0])
+    };
     assert_says(&refused(gap), &["gap", "inf", "index 1"]);
     for law in [
-        Law::tresca(-1.0),
-        Law::tresca(f64::NAN),
-        Law::Orthotropic {
+        PairLaw::tresca(-1.0),
+        PairLaw::tresca(f64::NAN),
+        PairLaw::Orthotropic {
             bounds: [1.0, f64::INFINITY],
         },
-        Law::coulomb(-0.1),
-        Law::Coulomb {
+        PairLaw::coulomb(-0.1),
+        PairLaw::Coulomb {
             coefficients: [0.1; 2],
             limit: f64::NAN,
         },
-        Law::Bilateral { bound: -1e-300 },
+        PairLaw::Bilateral { bound: -1e-300 },
     ] {
         assert_says(
             &refused(|p| p.conditions.friction = law.into()),
@@ -193,17 +195,20 @@ fn numbers_that_are_none() {
         );
     }
     // An infinite limit is none.
-    let free = random(Laws::Coulomb, 2, 0, 2).with_friction(Law::coulomb(0.2));
+    let free = random(Laws::Coulomb, 2, 0, 2).with_friction(PairLaw::coulomb(0.2));
     solved(&free, &tight());
-    let without = |law: Law| {
+    let without = |law: PairLaw| {
         refused(|p| {
             p.tangential = None;
             p.conditions.friction = law.into();
             p.conditions.previous_slip = None;
         })
     };
-    assert_says(&without(Law::coulomb(0.1)), &["`coulomb`", "needs", "T"]);
-    assert_says(&without(Law::Tied), &["`tied`"]);
+    assert_says(
+        &without(PairLaw::coulomb(0.1)),
+        &["`coulomb`", "needs", "T"],
+    );
+    assert_says(&without(PairLaw::Tied), &["`tied`"]);
 }
 
 fn with_entry(matrix: &Matrix, row: usize, column: usize, added: f64) -> Matrix {
@@ -222,7 +227,7 @@ fn with_entry(matrix: &Matrix, row: usize, column: usize, added: f64) -> Matrix 
 fn asymmetry_is_repaired_when_small_and_refused_when_not() {
     let message = refused(|p| p.stiffness[1] = with_entry(&p.stiffness[1], 2, 5, 0.1));
     assert_says(&message, &["block 1", "not symmetric", "(2, 5)", "(5, 2)"]);
-    let triangle = |p: &mut Problem| {
+    let triangle = |p: &mut MatrixProblem| {
         let k = &p.stiffness[0];
         let rows: Vec<Vec<f64>> = (0..k.rows())
             .map(|i| {
@@ -258,7 +263,7 @@ fn stiffness_that_is_none() {
         &["not positive semidefinite", "dof 23"],
     );
     // Indefinite with a positive diagonal.
-    let indefinite = |p: &mut Problem| {
+    let indefinite = |p: &mut MatrixProblem| {
         p.stiffness[0] = with_entry(&with_entry(&p.stiffness[0], 3, 4, 1e3), 4, 3, 1e3);
     };
     assert_says(
@@ -274,7 +279,7 @@ fn stiffness_that_is_none() {
                     .unwrap();
             p.tangential = None;
             p.conditions.previous_slip = None;
-            p.conditions.friction = Law::Frictionless.into();
+            p.conditions.friction = PairLaw::Frictionless.into();
         }),
         &["dof 36", "not held"],
     );
@@ -331,7 +336,7 @@ fn rows_that_are_zero_carry_no_force() {
 #[test]
 fn dual_problems_that_are_none() {
     let refused = |operator: Operator, rhs: Vec<f64>, tangents: usize| {
-        let dual = Dual::new(operator, rhs, tangents, Law::tresca(1.0));
+        let dual = Dual::new(operator, rhs, tangents, PairLaw::tresca(1.0));
         solve_dual(dual, &Settings::default(), &mut Silent)
             .unwrap_err()
             .to_string()

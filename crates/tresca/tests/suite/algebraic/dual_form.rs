@@ -1,12 +1,12 @@
 //! A, b and bounds alone give the forces of the problem that they come from.
 
 use tresca::Silent;
-use tresca::algebraic::{Dual, Operator, Problem, solve_dual};
+use tresca::algebraic::{Dual, MatrixProblem, Operator, solve_dual};
 
 use super::common::*;
 
 /// A = B K⁻¹ Bᵀ (dense, by rows) and b = B K⁻¹ f − [d; s].
-fn dual_of(problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+fn dual_of(problem: &MatrixProblem) -> (Vec<f64>, Vec<f64>) {
     let k = whole(&problem.stiffness);
     let n = k.rows();
     let dense = faer::Mat::from_fn(n, n, |i, j| {

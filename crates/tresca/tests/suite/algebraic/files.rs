@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use tresca::algebraic::{Assembly, FileError, Matrix, Problem};
+use tresca::algebraic::{Assembly, FileError, Matrix, MatrixProblem};
 use tresca::output::Destination;
 use tresca_bench::two_bricks::{Units, two_bricks};
 
 use super::common::*;
 
-fn write(problem: &Problem, to: &Path) {
+fn write(problem: &MatrixProblem, to: &Path) {
     let assembly = Assembly {
         problem: problem.clone(),
         pairs: Vec::new(),
@@ -18,8 +18,8 @@ fn write(problem: &Problem, to: &Path) {
 }
 
 /// Everything that files can hold.
-fn everything() -> Vec<Problem> {
-    let mut problems: Vec<Problem> = CONVEX
+fn everything() -> Vec<MatrixProblem> {
+    let mut problems: Vec<MatrixProblem> = CONVEX
         .into_iter()
         .chain([Laws::Coulomb])
         .flat_map(|laws| [random(laws, 2, 3, 3), random(laws, 1, 0, 4)])
@@ -39,7 +39,7 @@ fn everything() -> Vec<Problem> {
     problems.push(random(Laws::Frictionless, 0, 2, 7));
     let k = Matrix::from_dense((2, 2), &[1.0, -1.0, -1.0, 1.0]).unwrap();
     let n = Matrix::from_dense((1, 2), &[1.0, 0.0]).unwrap();
-    problems.push(Problem::new(k, n, vec![1.0, 0.0]).with_kernel(vec![vec![1.0, 1.0]]));
+    problems.push(MatrixProblem::new(k, n, vec![1.0, 0.0]).with_kernel(vec![vec![1.0, 1.0]]));
     problems
 }
 

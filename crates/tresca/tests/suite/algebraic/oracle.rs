@@ -2,12 +2,12 @@
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SupportedConeT::*};
-use tresca::algebraic::{Friction, Law, Matrix, Problem, Solution};
+use tresca::algebraic::{Friction, Matrix, MatrixProblem, PairLaw, Solution};
 
 use super::common::*;
 
 /// u by Clarabel, for bounds that do not follow the normal forces.
-fn oracle(problem: &Problem) -> Vec<f64> {
+fn oracle(problem: &MatrixProblem) -> Vec<f64> {
     let k = whole(&problem.stiffness);
     let (n, m, tangents) = (problem.dofs(), problem.pairs(), problem.tangents());
     let conditions = &problem.conditions;
@@ -26,7 +26,7 @@ fn oracle(problem: &Problem) -> Vec<f64> {
         let normal: Vec<_> = problem.normal.row(pair).collect();
         rows.push((normal, gap[pair]));
         cones.push(match law {
-            Law::Tied | Law::Bilateral { .. } => ZeroConeT(1),
+            PairLaw::Tied | PairLaw::Bilateral { .. } => ZeroConeT(1),
             _ => NonnegativeConeT(1),
         });
         let tangential = |t: usize| {
@@ -42,15 +42,15 @@ fn oracle(problem: &Problem) -> Vec<f64> {
             )
         };
         let bounds = match *law {
-            Law::Tied => {
+            PairLaw::Tied => {
                 for t in 0..tangents {
                     rows.push(tangential(t));
                     cones.push(ZeroConeT(1));
                 }
                 [0.0; 2]
             }
-            Law::Tresca { bound } | Law::Bilateral { bound } => [bound; 2],
-            Law::Orthotropic { bounds } => bounds,
+            PairLaw::Tresca { bound } | PairLaw::Bilateral { bound } => [bound; 2],
+            PairLaw::Orthotropic { bounds } => bounds,
             _ => [0.0; 2],
         };
         // (t, g1 (T1u − s1), g2 (T2u − s2)) in the cone.
@@ -109,7 +109,7 @@ const ORACLE: f64 = 2e-5;
 /// Elastic forces agree (and with them, B having full rank, contact forces), the energies, and without a
 /// kernel the displacements.
 #[track_caller]
-fn assert_same(problem: &Problem, found: &Solution, expected: &[f64], what: &str) {
+fn assert_same(problem: &MatrixProblem, found: &Solution, expected: &[f64], what: &str) {
     let k = whole(&problem.stiffness);
     let forces = product(&k, &found.displacement);
     assert_close(
@@ -181,7 +181,7 @@ fn coulomb_bounds_are_consistent() {
                     .iter()
                     .zip(&solution.normal_force)
                     .map(|(law, normal)| {
-                        let Law::Coulomb {
+                        let PairLaw::Coulomb {
                             coefficients: [f, _],
                             limit,
                         } = law
@@ -284,7 +284,7 @@ fn a_large_part_has_its_kernel_found() {
     let wall = Matrix::from_triplets((1, count), &[0], &[count - 1], &[1.0]).unwrap();
     let mut load = vec![0.0; count];
     load[0] = 2.0;
-    let problem = Problem::new(chain, wall, load).with_gap(vec![3.0]);
+    let problem = MatrixProblem::new(chain, wall, load).with_gap(vec![3.0]);
     let solution = solved(&problem, &tight());
     assert_eq!(solution.kernel_amounts.len(), 1);
     assert!((solution.normal_force[0] - 2.0).abs() < 1e-9);

@@ -1,6 +1,6 @@
 //! More than one solve on one factorisation; starts; interruption.
 
-use tresca::algebraic::{Friction, Law, prepare, solve};
+use tresca::algebraic::{Friction, PairLaw, prepare, solve};
 use tresca::{Method, Settings, Silent};
 
 use super::common::*;
@@ -32,7 +32,7 @@ fn other_loads_gaps_and_bounds_on_the_same_factors() {
             assert_close(&found.normal_force, &expected.normal_force, 1e-9, "λν");
         }
         let mut changed = problem.conditions.clone();
-        changed.friction = Law::Tied.into();
+        changed.friction = PairLaw::Tied.into();
         let error = prepared.solve(&changed, &tight(), &mut Silent).unwrap_err();
         assert!(error.to_string().contains("another kind"), "{error}");
     }
@@ -43,7 +43,7 @@ fn coulomb_coefficients_may_change() {
     let problem = random(Laws::Coulomb, 2, 0, 2);
     let mut prepared = prepare(&problem, &tight(), &mut Silent).unwrap();
     for coefficient in [0.0, 0.1, 0.5] {
-        let whole = problem.clone().with_friction(Law::coulomb(coefficient));
+        let whole = problem.clone().with_friction(PairLaw::coulomb(coefficient));
         let expected = solved(&whole, &tight());
         let found = prepared
             .solve(&whole.conditions, &tight(), &mut Silent)
@@ -90,9 +90,10 @@ fn a_start_at_the_solution_ends_at_once() {
 fn incremental_friction_remembers() {
     // One dof along each axis, springs 1 and 2, pressed down for good, pushed to and fro.
     let k = dense(&[vec![1.0, 0.0], vec![0.0, 2.0]]);
-    let problem = tresca::algebraic::Problem::new(k, dense(&[vec![1.0, 0.0]]), vec![5.0, 0.0])
-        .with_tangential(dense(&[vec![0.0, 1.0]]))
-        .with_friction(Law::tresca(1.0));
+    let problem =
+        tresca::algebraic::MatrixProblem::new(k, dense(&[vec![1.0, 0.0]]), vec![5.0, 0.0])
+            .with_tangential(dense(&[vec![0.0, 1.0]]))
+            .with_friction(PairLaw::tresca(1.0));
     let mut prepared = prepare(&problem, &tight(), &mut Silent).unwrap();
     let mut conditions = problem.conditions.clone();
     // (push, slip): slides at 3 − 1, sticks on the way back until the friction has turned.
@@ -152,7 +153,7 @@ fn every_method_finds_the_same() {
 
 #[test]
 fn one_law_for_all_is_the_same_as_one_for_each() {
-    let one = random(Laws::Tresca, 2, 0, 2).with_friction(Law::tresca(0.4));
+    let one = random(Laws::Tresca, 2, 0, 2).with_friction(PairLaw::tresca(0.4));
     let each = one.clone().with_friction(Friction::tresca(&[0.4; 6]));
     assert_eq!(
         solved(&one, &tight()).tangential_force,

@@ -5,9 +5,9 @@ use super::convex_set::{BlockState, ConvexSet};
 /// The point 0: a component of a pair along which supports let nothing move, so that no force acts. Always
 /// bound, and counted neither as sticking nor as slipping.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Point;
+pub struct Origin;
 
-impl ConvexSet for Point {
+impl ConvexSet for Origin {
     fn dimension(&self) -> usize {
         1
     }
