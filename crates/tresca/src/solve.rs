@@ -273,6 +273,7 @@ impl PreparedModel<'_> {
             surfaces,
             certificate: solved.certificate,
             unresisted,
+            contradiction: solved.contradiction,
         })
     }
 }

@@ -70,6 +70,7 @@ fn conclusion(report: &RunReport) {
         );
     }
     no_equilibrium(step);
+    contradiction(step);
 }
 
 fn no_equilibrium(step: &StepReport) {
@@ -86,6 +87,35 @@ fn no_equilibrium(step: &StepReport) {
             "no equilibrium: the load does work on a motion in the kernel of K that nothing resists \
              enough; it is `unresisted_motion` in solution.npz"
         );
+    }
+}
+
+/// Pairs that are named one by one.
+const NAMED: usize = 8;
+
+fn contradiction(step: &StepReport) {
+    let Some(contradiction) = &step.contradiction else {
+        return;
+    };
+    println!(
+        "infeasible: these pairs contradict each other by {:.4e}; no displacement satisfies them all:",
+        contradiction.by
+    );
+    for own in contradiction.pairs.iter().take(NAMED) {
+        let place = match (&own.contact, own.point) {
+            (Some(contact), Some([x, y, z])) => {
+                format!(" of {contact} at ({x:.6}, {y:.6}, {z:.6})")
+            }
+            _ => String::new(),
+        };
+        let [first, second] = own.tangential;
+        println!(
+            "    pair {}{place}: share {:.3} (normal), {first:.3}, {second:.3} (tangential)",
+            own.pair, own.normal
+        );
+    }
+    if contradiction.pairs.len() > NAMED {
+        println!("    and {} more", contradiction.pairs.len() - NAMED);
     }
 }
 

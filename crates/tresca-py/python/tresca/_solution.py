@@ -62,7 +62,7 @@ class Solution:
     ----------
     status : str
         ``"converged"``, ``"iteration_limit"``, ``"stagnated"``, ``"interrupted"``, ``"diverged"``,
-        ``"no_equilibrium"``, ``"coulomb_cycles"`` or ``"coulomb_diverges"``.
+        ``"no_equilibrium"``, ``"infeasible"``, ``"inaccurate"``, ``"coulomb_cycles"`` or ``"coulomb_diverges"``.
     u : ndarray, shape (n,)
         Displacements; empty for the pure dual form.
     normal_force : ndarray, shape (m,)
@@ -102,6 +102,10 @@ class Solution:
         How much of each kernel vector of K there is in u, for a start.
     unresisted_motion : ndarray, shape (n,), or None
         With ``"no_equilibrium"``: a motion that nothing resists.
+    contradiction : dict or None
+        With ``"infeasible"``: ``by``, the length by which constraints miss each other, and ``pairs``, those that
+        take part, each with the force (``normal``, ``tangential``) of the proof. These forces cancel, N and T
+        weighted by them add up to zero, and yet they do work on the gaps: no displacement satisfies all of them.
     """
 
     status: str
@@ -127,6 +131,11 @@ class Solution:
     summary: dict[str, Any]
     kernel_amounts: Floats = field(default_factory=lambda: np.zeros(0))
     unresisted_motion: Floats | None = None
+
+    @property
+    def contradiction(self) -> dict[str, Any] | None:
+        found: dict[str, Any] | None = self.summary["steps"][-1].get("contradiction")
+        return found
 
     @property
     def converged(self) -> bool:

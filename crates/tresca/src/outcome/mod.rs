@@ -6,6 +6,7 @@ pub(crate) mod surface_fields;
 
 use tresca_qcqp::{DualSolution, Settings, Status};
 use tresca_system::certificate::Certificate;
+use tresca_system::contradiction::Contradiction;
 use tresca_system::description::{Description, Times};
 
 use crate::outcome::surface_fields::SurfaceFields;
@@ -37,6 +38,8 @@ pub struct StepOutcome {
     pub certificate: Certificate,
     /// With [`Status::NoEquilibrium`]: the motion that nothing resists.
     pub unresisted: Option<UnresistedMotion>,
+    /// With [`Status::Infeasible`]: the pairs whose constraints contradict each other.
+    pub contradiction: Option<Contradiction>,
 }
 
 impl StepOutcome {

@@ -2,6 +2,7 @@
 //! door. docs/summary.md explains each key.
 
 mod contact;
+mod contradiction;
 mod motion;
 mod of_fclib;
 mod of_matrices;

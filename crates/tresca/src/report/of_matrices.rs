@@ -24,13 +24,16 @@ impl RunReport {
 
 /// The one step of a solve of matrices.
 pub(super) fn of_solution(solution: &Solution) -> StepReport {
-    StepReport::new(
-        solution.status,
-        solution.figures,
-        solution.states,
-        contact(solution),
-        solution.certificate.clone(),
-    )
+    StepReport {
+        contradiction: solution.contradiction.as_ref().map(Into::into),
+        ..StepReport::new(
+            solution.status,
+            solution.figures,
+            solution.states,
+            contact(solution),
+            solution.certificate.clone(),
+        )
+    }
 }
 
 fn contact(solution: &Solution) -> ContactReport {

@@ -1,6 +1,7 @@
 //! The report of a model that was solved.
 
 use super::contact::{ContactReport, largest, resultants};
+use super::contradiction::ContradictionReport;
 use super::motion::MotionReport;
 use super::reactions::support_reactions;
 use super::run::{RunReport, Source, StepReport};
@@ -38,6 +39,10 @@ fn of_step(model: &Model, step: &StepOutcome, held: usize) -> StepReport {
         resultants: resultants(model, &step.contacts),
         reactions: support_reactions(model, &step.reactions),
         unresisted_motion: step.unresisted.as_ref().map(MotionReport::from),
+        contradiction: step
+            .contradiction
+            .as_ref()
+            .map(|own| ContradictionReport::of_model(own, model, &step.contacts)),
         ..StepReport::new(
             solution.status,
             solution.figures,

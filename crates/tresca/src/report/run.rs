@@ -5,6 +5,7 @@ use tresca_qcqp::{Figures, Settings, StateCounts, Status};
 use tresca_system::certificate::Certificate;
 
 use super::contact::{ContactReport, ContactResultant};
+use super::contradiction::ContradictionReport;
 use super::motion::MotionReport;
 use super::posed::{FclibReport, Reference};
 use super::reactions::SupportReaction;
@@ -119,6 +120,9 @@ pub struct StepReport {
     /// With `no_equilibrium`: what moves without resistance; of cases.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unresisted_motion: Option<MotionReport>,
+    /// With `infeasible`: the pairs whose constraints contradict each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contradiction: Option<ContradictionReport>,
 }
 
 impl RunReport {
@@ -206,6 +210,7 @@ impl StepReport {
             matrix: None,
             reference: None,
             unresisted_motion: None,
+            contradiction: None,
         }
     }
 }

@@ -5,9 +5,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use tresca::algebraic::{self, Assembly, Dual, Operator, PairLaw};
+use tresca::algebraic::{self, Assembly, Dual, Matrix, MatrixProblem, Operator, PairLaw};
 use tresca::case::Case;
-use tresca::fclib::{self, Document, FclibProblem, GlobalProblem, State};
+use tresca::fclib::{self, Document, FclibProblem, GlobalProblem, LocalProblem, State};
 use tresca::output::Destination;
 use tresca::report::{RunReport, SCHEMA};
 use tresca::{Settings, Silent};
@@ -59,6 +59,41 @@ fn lifted() -> String {
     DRAGGED[..steps].replace("[0.0, 0.0, -1.0]", "[0.0, 0.0, 1.0]")
 }
 
+/// A beam on two blocks, all glued to each other, one joint with a step: around the edge where the three meet the
+/// steps do not add up to nothing.
+const TORN: &str = r#"
+[[body]]
+name = "beam"
+mesh = { brick = { min = [0.0, 0.0, 1.0], max = [2.0, 1.0, 2.0], nodes = [3, 2, 2] } }
+material = { young = 100.0, poisson = 0.3 }
+
+[[body]]
+name = "left"
+mesh = { brick = { min = [0.0, 0.0, 0.0], max = [1.0, 1.0, 1.0], nodes = [2, 2, 2] } }
+material = { young = 100.0, poisson = 0.3 }
+
+[[body]]
+name = "right"
+mesh = { brick = { min = [1.0, 0.0, 0.0], max = [2.0, 1.0, 1.0], nodes = [2, 2, 2] } }
+material = { young = 100.0, poisson = 0.3 }
+
+[[clamp]]
+on = ["left.z-", "right.z-", "beam.z+"]
+
+[[contact]]
+pair = ["left.z+", "beam.z-"]
+friction = { law = "tied" }
+
+[[contact]]
+pair = ["beam.z-", "right.z+"]
+gap = 0.1
+friction = { law = "tied" }
+
+[[contact]]
+pair = ["right.x-", "left.x+"]
+friction = { law = "tied" }
+"#;
+
 /// What was written into a folder.
 fn written(folder: &Path) -> Value {
     let text = std::fs::read_to_string(folder.join("summary.json")).unwrap();
@@ -80,6 +115,31 @@ fn matrices(folder: &Path) -> Value {
     let to = Destination::new(folder).unwrap();
     to.write_matrices("matrices", &solution).unwrap();
     written(folder)
+}
+
+/// One dof, tied twice with different gaps.
+fn torn(folder: &Path) -> Value {
+    let one = |values: &[f64]| Matrix::from_dense((values.len(), 1), values).unwrap();
+    let problem = MatrixProblem::new(vec![one(&[2.0])], one(&[1.0, 1.0]), vec![0.0])
+        .with_tangential(one(&[1.0, 1.0]))
+        .with_gap(vec![0.1, 0.2])
+        .with_friction(PairLaw::Tied);
+    let solution = algebraic::solve(&problem, &Settings::default(), &mut Silent).unwrap();
+    let to = Destination::new(folder).unwrap();
+    to.write_matrices("matrices", &solution).unwrap();
+    written(folder)
+}
+
+fn torn_dual() -> Value {
+    let operator = Operator::dense(2, &[1.0; 4]).unwrap();
+    let dual = Dual::new(
+        operator,
+        vec![1.0, 2.0],
+        0,
+        PairLaw::Bilateral { bound: 0.0 },
+    );
+    let solution = algebraic::solve_dual(dual, &Settings::default(), &mut Silent).unwrap();
+    serde_json::to_value(RunReport::of_matrices(&solution)).unwrap()
 }
 
 /// As Python has it: nothing is written.
@@ -122,7 +182,23 @@ fn fclibs(folder: &Path) -> Vec<Value> {
         ..local.clone()
     };
     let tresca = fclib::FclibLaw::Tresca { bound: 0.5 };
+    let torn = Document {
+        problem: FclibProblem::Local(LocalProblem {
+            dimension: 2,
+            w: fclib::FclibMatrix::new(
+                4,
+                4,
+                vec![(0, 0, 1.0), (0, 2, -1.0), (2, 0, -1.0), (2, 2, 1.0)],
+            )
+            .unwrap(),
+            q: vec![-1.0, 0.0, 0.5, 0.0],
+            friction: vec![0.0; 2],
+        }),
+        solution: None,
+        ..local.clone()
+    };
     vec![
+        fclib(&torn, fclib::FclibLaw::Coulomb, folder),
         fclib(&local, fclib::FclibLaw::Coulomb, folder),
         fclib(&global, tresca, folder),
     ]
@@ -172,9 +248,13 @@ fn the_page_lists_what_the_doors_write() {
     let scene = tempfile::tempdir().unwrap();
     let folder = scene.path();
     let summaries = [
-        vec![case(DRAGGED, folder), case(&lifted(), folder)],
-        vec![matrices(folder)],
-        vec![dual()],
+        vec![
+            case(DRAGGED, folder),
+            case(&lifted(), folder),
+            case(TORN, folder),
+        ],
+        vec![matrices(folder), torn(folder)],
+        vec![dual(), torn_dual()],
         fclibs(folder),
     ];
     for (door, summaries) in DOORS.into_iter().zip(&summaries) {
