@@ -22,7 +22,7 @@ use tresca_la::vector::dot;
 const STEADY: f64 = 1e-10;
 
 /// Steps that the method of the settings gets before proximal steps take over, however few are allowed.
-const FEW: usize = 100;
+const FEW: usize = 50;
 /// A relative reduced gradient that is rounding: proximal steps would not get further.
 const ROUNDING: f64 = 1e-12;
 
@@ -116,10 +116,10 @@ impl Session<'_> {
     fn first_share(&self) -> usize {
         let done = self.journal.steps();
         let left = self.settings.max_iterations.saturating_sub(done);
-        if self.singular {
+        if self.singular && self.settings.method != Method::Apgd {
             done + left.min(FEW)
         } else {
-            done + left.min(FEW).max(left / 2)
+            done + left.min(2 * FEW).max(left / 2)
         }
     }
 

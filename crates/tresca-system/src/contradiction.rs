@@ -1,5 +1,7 @@
 //! Constraints that no displacement satisfies together, for those who must find the fault in their model.
 
+use std::collections::HashSet;
+
 use serde::Serialize;
 
 use crate::body::SystemBody;
@@ -36,6 +38,31 @@ pub struct ContradictingPair {
     pub normal: f64,
     /// Its tangential force in y.
     pub tangential: [f64; 2],
+}
+
+/// The rows with a force, in groups that share dofs.
+fn groups(bodies: &[SystemBody], mu: &[f64]) -> Vec<Vec<usize>> {
+    let size = largest(mu);
+    let acting = (0..mu.len()).filter(|&i| mu[i].abs() >= VISIBLE * size);
+    let mut groups: Vec<(Vec<usize>, HashSet<(usize, usize)>)> = Vec::new();
+    for i in acting {
+        let of_body = |(k, body): (usize, &SystemBody)| {
+            let row: Vec<_> = body.coupling.row(i).map(|(dof, _)| (k, dof)).collect();
+            row
+        };
+        let dofs: HashSet<_> = bodies.iter().enumerate().flat_map(of_body).collect();
+        let (mut joined, apart): (Vec<_>, Vec<_>) = groups
+            .into_iter()
+            .partition(|(_, others)| !others.is_disjoint(&dofs));
+        let mut group = (vec![i], dofs);
+        for (rows, dofs) in joined.drain(..) {
+            group.0.extend(rows);
+            group.1.extend(dofs);
+        }
+        groups = apart;
+        groups.push(group);
+    }
+    groups.into_iter().map(|(rows, _)| rows).collect()
 }
 
 impl Contradiction {
@@ -84,9 +111,19 @@ impl Contradiction {
             .iter_mut()
             .zip(&case.base)
             .for_each(|(c, base)| *c -= base);
-        bodies
+        if !bodies.iter().all(vanishes) {
+            return None;
+        }
+        // Groups of pairs that share no dof contradict each other apart: the worst is shown.
+        let groups = groups(bodies, mu);
+        let of_group = |group: &Vec<usize>| {
+            let mut own = vec![0.0; mu.len()];
+            group.iter().for_each(|&i| own[i] = mu[i]);
+            Self::new(layout, layout.forces(&own), &sides)
+        };
+        groups
             .iter()
-            .all(vanishes)
-            .then(|| Self::new(layout, layout.forces(mu), &sides))
+            .map(of_group)
+            .max_by(|one, other| one.by.total_cmp(&other.by))
     }
 }
