@@ -68,6 +68,7 @@ mod equality;
 mod error;
 mod figures;
 mod inner_problem;
+mod inner_solve;
 mod methods;
 mod newton;
 mod observe;

@@ -5,6 +5,7 @@ use crate::coulomb::frictional::Frictional;
 use crate::equality::multiplier::{self, Balanced};
 use crate::error::{QcqpError, check_rows, check_vector};
 use crate::inner_problem::{Ending, Inner, Journal};
+use crate::inner_solve;
 use crate::methods::run::zero_ending;
 use crate::newton::operator_memory::OperatorMemory;
 use crate::observe::Observer;
@@ -103,7 +104,7 @@ fn solve_by_kind(session: &mut Session, problem: &Frictional, start: Option<Star
     let tolerance = session.settings.tolerance;
     let lambda = start.map(|start| start.lambda);
     let Some(balance) = balance else {
-        return session.solve(&Inner::plain(rhs, set, tolerance), lambda);
+        return inner_solve::solve(session, &Inner::plain(rhs, set, tolerance), lambda);
     };
     let balanced = Balanced {
         rhs,

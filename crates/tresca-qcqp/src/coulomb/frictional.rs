@@ -4,6 +4,7 @@ use super::law::CoulombLaw;
 use crate::equality::balance::Balance;
 use crate::equality::multiplier::{self, Balanced};
 use crate::inner_problem::{Ending, Inner};
+use crate::inner_solve;
 use crate::session::Session;
 use crate::sets::product::ProductSet;
 use crate::start::Start;
@@ -44,7 +45,7 @@ impl Bounded<'_> {
         let rhs = self.problem.rhs;
         let Some(balance) = self.problem.balance else {
             let plain = Inner::plain(rhs, set, tolerance);
-            return session.solve(&Inner { law, ..plain }, start);
+            return inner_solve::solve(session, &Inner { law, ..plain }, start);
         };
         let balanced = Balanced {
             rhs,

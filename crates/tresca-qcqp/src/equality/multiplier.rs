@@ -8,6 +8,7 @@ use super::equilibrium::{self, Equilibrium};
 use super::first_guess;
 use crate::coulomb::law::CoulombLaw;
 use crate::inner_problem::{Ending, Inner};
+use crate::inner_solve;
 use crate::point::{Point, relative};
 use crate::session::Session;
 use crate::sets::product::ProductSet;
@@ -77,7 +78,7 @@ pub(crate) fn solve(
             law,
             tolerance,
         };
-        let mut ending = session.solve(&inner, lambda.as_deref());
+        let mut ending = inner_solve::solve(session, &inner, lambda.as_deref());
         let shortfall = balance.shortfall(&ending.point.lambda);
         let residual = relative(balance.spread(&shortfall), ending.reference);
         let value = ending.objective + dot(&beta, &balance.load);
