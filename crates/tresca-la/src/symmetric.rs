@@ -53,6 +53,11 @@ impl SymmetricMatrix {
         }
     }
 
+    /// Multiplies all entries by a factor.
+    pub fn scale(&mut self, factor: f64) {
+        self.lower.val_mut().iter_mut().for_each(|a| *a *= factor);
+    }
+
     /// The diagonal, length n.
     pub fn diagonal(&self) -> Vec<f64> {
         let lower = self.lower.as_ref();

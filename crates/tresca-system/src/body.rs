@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use crate::units::unit_of;
 use tresca_fem::rigid::Grounding;
 use tresca_la::vector::{axpy, dot};
 use tresca_la::{
@@ -52,6 +53,22 @@ impl SystemBody {
             coupling,
             trailing,
         }
+    }
+
+    /// Measures the stiffness of bodies in a unit of its own where its figures could not be squared, and returns that
+    /// unit, a power of two; 1 for everything that is met in practice.
+    pub fn tame(bodies: &mut [Self]) -> f64 {
+        let size = bodies.iter().flat_map(|body| body.stiffness.diagonal());
+        let unit = unit_of(size.fold(0.0, f64::max));
+        if unit != 1.0 {
+            for body in bodies {
+                body.stiffness.scale(1.0 / unit);
+                if let Some(grounding) = &mut body.grounding {
+                    grounding.scale(1.0 / unit);
+                }
+            }
+        }
+        unit
     }
 
     /// Number of free dofs.

@@ -33,6 +33,8 @@ pub struct Layout {
     tangents: usize,
     pairs: Vec<PairBlocks>,
     weights: Vec<f64>,
+    /// What the rows of N, and both rows of T of a pair, are multiplied by; part of the weights.
+    scales: Vec<[f64; 2]>,
 }
 
 impl Layout {
@@ -79,9 +81,54 @@ impl Layout {
         weights.extend(tangential_weights);
         Self {
             tangents,
+            scales: vec![[1.0; 2]; normals],
             pairs: blocks,
             weights,
         }
+    }
+
+    /// The same with other units for the forces of every pair: the row of N, and the rows of T, times these
+    /// factors. Rows of very different length are brought to one.
+    pub fn with_scales(mut self, scales: Vec<[f64; 2]>) -> Self {
+        let m = self.pairs.len();
+        for (i, [normal, tangential]) in scales.iter().enumerate() {
+            self.weights[i] *= normal;
+            let first = m + self.tangents * i;
+            self.weights[first..first + self.tangents]
+                .iter_mut()
+                .for_each(|w| *w *= tangential);
+        }
+        self.scales = scales;
+        self
+    }
+
+    /// Number by which relative displacements of a pair, along the normal and along the tangents, are displacements:
+    /// 1 unless the rows of B have very different lengths.
+    pub(crate) fn scale(&self, pair: usize) -> [f64; 2] {
+        self.scales[pair]
+    }
+
+    /// The largest of some gaps, as a displacement.
+    pub(crate) fn largest_gap(&self, gaps: &[f64]) -> f64 {
+        let scaled = gaps
+            .iter()
+            .zip(&self.scales)
+            .map(|(d, [s, _])| (s * d).abs());
+        scaled.fold(0.0, f64::max)
+    }
+
+    /// Whether pairs stand where they stand in the other.
+    pub fn same_blocks(&self, other: &Self) -> bool {
+        let own = self.weights.iter().zip(&other.weights);
+        let proportions = |layout: &Self, i: usize| {
+            let pair = i.saturating_sub(layout.pairs.len()) / layout.tangents.max(1);
+            layout.weights[i] / layout.scales[pair][1]
+        };
+        let m = self.pairs.len();
+        self.pairs == other.pairs
+            && own.len() == other.weights.len()
+            && (m..self.weights.len())
+                .all(|i| (proportions(self, i) - proportions(other, i)).abs() <= 1e-14)
     }
 
     /// m.
@@ -187,7 +234,8 @@ impl Layout {
                 .enumerate()
                 .flat_map(|(i, (pair, sliding))| {
                     let first = m + self.tangents * i;
-                    let bounds = sliding.bounds(0.0);
+                    let [_, tangential] = self.scales[i];
+                    let bounds = sliding.scaled(1.0 / tangential).bounds(0.0);
                     match (pair.shape, bounds) {
                         (Shape::Disc, Some([a, b])) => vec![Block {
                             start: first,
@@ -222,6 +270,8 @@ impl Layout {
                 continue;
             };
             let largest = coefficients[0].max(coefficients[1]);
+            let [own, tangential] = self.scales[normal];
+            let (along, limit) = (own / tangential, limit / tangential);
             let mut push = |block: usize, coefficient: f64| {
                 let share = if largest > 0.0 {
                     coefficient / largest
@@ -237,7 +287,7 @@ impl Layout {
                 bounds.push(CoulombBound {
                     block,
                     normal,
-                    coefficient,
+                    coefficient: along * coefficient,
                     limit,
                 });
             };

@@ -28,3 +28,4 @@ pub mod prepared;
 pub mod progress;
 pub mod run;
 pub mod solved;
+mod units;

@@ -133,18 +133,19 @@ impl Interface {
             let overlap = relative[i] - gap;
             sum.complementarity += (lambda[i] * overlap).abs();
             sum.contact_work += lambda[i] * overlap;
+            let [normal, along] = layout.scale(i);
             if !layout.moves_normally(i) {
                 // Supports alone decide about this gap.
             } else if layout.never_opens(i) {
-                sum.penetration = sum.penetration.max(overlap.abs());
+                sum.penetration = sum.penetration.max(normal * overlap.abs());
             } else {
-                sum.penetration = sum.penetration.max(overlap);
+                sum.penetration = sum.penetration.max(normal * overlap);
                 sum.adhesion = sum.adhesion.max(-lambda[i]);
             }
             let force = layout.tangential(lambda, i);
             let slip = layout.tangential(relative, i);
             let Some(bounds) = slidings[i].bounds(lambda[i]) else {
-                sum.penetration = sum.penetration.max(norm(&slip));
+                sum.penetration = sum.penetration.max(along * norm(&slip));
                 sum.contact_work += dot(&force, &slip);
                 continue;
             };

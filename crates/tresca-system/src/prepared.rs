@@ -18,6 +18,7 @@ use crate::measures::{ElasticSums, largest};
 use crate::progress::Progress;
 use crate::run::{self, Unsolved};
 use crate::solved::{Measured, Solved};
+use crate::units::Units;
 
 /// A system of bodies whose contact is posed as a dual problem.
 pub struct Prepared {
@@ -27,6 +28,8 @@ pub struct Prepared {
     dual: DualProblem<'static>,
     description: Description,
     times: Times,
+    /// What K is measured in.
+    stiffness_unit: f64,
 }
 
 /// What a system is prepared from.
@@ -41,6 +44,8 @@ pub struct Parts<'a> {
     pub slidings: &'a [Sliding],
     /// Unknowns of neighbouring pairs: the patches of the local model of A.
     pub patches: Vec<Vec<usize>>,
+    /// The unit of the stiffness that the bodies come in, a power of two.
+    pub stiffness_unit: f64,
     /// How A is applied.
     pub engine: EngineChoice,
     /// Free and held dofs.
@@ -79,6 +84,7 @@ impl Prepared {
             layout: parts.layout,
             dual,
             description,
+            stiffness_unit: parts.stiffness_unit,
             times: Times {
                 factorization: times.factorization + begin.elapsed().as_secs_f64(),
                 ..times
@@ -122,6 +128,25 @@ impl Prepared {
     /// # Errors
     /// When a setting or a bound is impossible, or the caller stops the run before its first iteration.
     pub fn solve(
+        &mut self,
+        case: &LoadCase,
+        start: Option<&WarmStart>,
+        settings: &Settings,
+        times: &mut Times,
+        progress: &mut dyn Progress,
+    ) -> Result<Solved, Unsolved> {
+        let units = Units::of(case, self.stiffness_unit);
+        let Some(own) = units.enter(case) else {
+            return self.solve_as_is(case, start, settings, times, progress);
+        };
+        let start = start.map(|start| units.enter_start(start));
+        let mut solved = self.solve_as_is(&own, start.as_ref(), settings, times, progress)?;
+        units.leave(&mut solved, &case.slidings);
+        Ok(solved)
+    }
+
+    /// The same with numbers as they are.
+    fn solve_as_is(
         &mut self,
         case: &LoadCase,
         start: Option<&WarmStart>,
@@ -232,7 +257,7 @@ impl Prepared {
         });
         let sizes = displacements.iter().map(|u| largest(u));
         let measured = Measured {
-            length: sizes.fold(case.held.max(largest(&case.gaps)), f64::max),
+            length: sizes.fold(case.held.max(self.layout.largest_gap(&case.gaps)), f64::max),
             dual_energy: Some(-solution.figures.objective - 0.5 * load_energy),
             elastic: ElasticSums::total(&sums),
             displacements,

@@ -102,6 +102,11 @@ impl Solved {
         }
     }
 
+    /// The same under these laws, which differ in their units alone.
+    pub(crate) fn set_slidings(&mut self, slidings: &[Sliding]) {
+        self.slidings = slidings.to_vec();
+    }
+
     /// λν.
     pub fn normal_forces(&self) -> &[f64] {
         &self.forces[..self.gaps.len()]

@@ -65,7 +65,8 @@ pub fn prepare<'m>(
 ) -> Result<PreparedModel<'m>, SolveError> {
     begin(progress, Stage::Assembly)?;
     let clock = Instant::now();
-    let (assembled, bodies) = assemble(model)?;
+    let (assembled, mut bodies) = assemble(model)?;
+    let stiffness_unit = SystemBody::tame(&mut bodies);
     let assembly = clock.elapsed().as_secs_f64();
 
     begin(progress, Stage::Factorization)?;
@@ -83,6 +84,7 @@ pub fn prepare<'m>(
         slidings: &slidings,
         patches: assembled.patches(),
         engine,
+        stiffness_unit,
         dofs: assembled.dof_count(),
         held_pairs: assembled.contacts.iter().map(|data| data.held_pairs).sum(),
     };

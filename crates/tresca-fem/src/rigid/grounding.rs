@@ -60,6 +60,13 @@ pub struct Grounding {
 }
 
 impl Grounding {
+    /// The grounding of `factor` K.
+    pub fn scale(&mut self, factor: f64) {
+        let root = factor.sqrt();
+        self.c.iter_mut().flatten().for_each(|c| *c *= root);
+        self.s.iter_mut().flatten().for_each(|s| *s /= factor);
+    }
+
     /// Grounds the given motions (see [`super::remaining`]), if possible on the `preferred` nodes:
     /// the contact nodes, whose dofs are coupled anyway.
     ///

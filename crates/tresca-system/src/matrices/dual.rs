@@ -3,15 +3,16 @@
 use std::time::Instant;
 
 use tresca_contact::{Mobility, Sliding};
+use tresca_la::SymmetricEntries;
 use tresca_la::vector::{dot, norm};
 use tresca_qcqp::{DualProblem, Settings, Start};
 
-use super::check;
 use super::error::AlgebraicError;
 use super::friction::{Friction, PairLaw};
 use super::note::Note;
 use super::operator::{FunctionOperator, MatrixOperator, Operator, Scaling};
 use super::solution::{Forces, Solution};
+use super::{check, lengths};
 use crate::contradiction::Contradiction;
 use crate::description::Times;
 use crate::layout::Layout;
@@ -20,6 +21,7 @@ use crate::measures::{Elastic, largest, scale};
 use crate::progress::{Progress, Stage, begin};
 use crate::run;
 use crate::solved::{Measured, Solved};
+use crate::units::Units;
 
 /// min ½ λᵀAλ − λᵀb over the admissible λ = \[λν (m); λτ ((d−1)m, components of a pair adjacent)\].
 ///
@@ -94,8 +96,22 @@ pub fn solve_dual(
     let m = order / (tangents + 1);
     check::vector("the right-hand side b", &rhs, order, "order of A")?;
     let laws = friction.laws(m)?;
-    let layout = check::layout(&laws, &vec![Mobility::FULL; m], tangents)?;
-    let slidings: Vec<_> = laws.iter().map(PairLaw::sliding).collect();
+    let mut layout = check::layout(&laws, &vec![Mobility::FULL; m], tangents)?;
+    let diagonal: Option<Vec<f64>> = match &operator {
+        Operator::Dense { matrix, .. } => Some((0..order).map(|i| matrix.entry(i, i)).collect()),
+        Operator::Product { diagonal, .. } => diagonal.clone(),
+    };
+    if let Some(diagonal) = diagonal.filter(|diagonal| diagonal.len() == order) {
+        let lengths: Vec<f64> = diagonal.iter().map(|a| a.max(0.0).sqrt()).collect();
+        if let Some(scales) = lengths::scales(&lengths, m, tangents) {
+            layout = layout.with_scales(scales);
+        }
+    }
+    let units = Units::of_rhs(&layout.dual(&rhs));
+    let own = 1.0 / units.force();
+    let rhs: Vec<f64> = rhs.iter().map(|b| own * b).collect();
+    let theirs: Vec<_> = laws.iter().map(PairLaw::sliding).collect();
+    let slidings: Vec<_> = theirs.iter().map(|law| law.scaled(own)).collect();
     let mut notes = Vec::new();
     check::note_ignored_figures(&laws, tangents, &mut notes);
     if let Operator::Dense { asymmetry, .. } = operator
@@ -120,7 +136,9 @@ pub fn solve_dual(
                 tangents * m,
                 "tangents",
             )?;
-            Some(start.warm(&layout).mu)
+            let mut mu = start.warm(&layout).mu;
+            mu.iter_mut().for_each(|x| *x *= own);
+            Some(mu)
         }
     };
     let set = load_case::set(&layout, &slidings, &coulomb, warm.as_deref())?;
@@ -152,7 +170,8 @@ pub fn solve_dual(
     let start = warm.as_deref().map(Start::from);
     let solution = run::solve(&mut problem, start, settings, &mut times, progress)?;
     let clock = Instant::now();
-    let solved = recover(&mut problem, &layout, &slidings, &rhs, solution);
+    let mut solved = recover(&mut problem, &layout, &slidings, &rhs, solution);
+    units.leave(&mut solved, &theirs);
     times.recovery += clock.elapsed().as_secs_f64();
     Ok(Solution {
         notes,

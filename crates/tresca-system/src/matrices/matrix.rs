@@ -212,6 +212,20 @@ impl Matrix {
         }
     }
 
+    /// Multiplies all entries by a factor.
+    pub(super) fn scale(&mut self, factor: f64) {
+        self.values.iter_mut().for_each(|x| *x *= factor);
+    }
+
+    /// Every row times its factor.
+    pub(super) fn with_rows_scaled(mut self, factors: &[f64]) -> Self {
+        for (i, factor) in factors.iter().enumerate() {
+            let row = self.starts[i]..self.starts[i + 1];
+            self.values[row].iter_mut().for_each(|x| *x *= factor);
+        }
+        self
+    }
+
     /// y ← y + M x.
     ///
     /// # Panics

@@ -56,6 +56,7 @@ mod error;
 mod friction;
 mod grounding;
 mod kernel;
+mod lengths;
 mod matrix;
 mod note;
 mod operator;

@@ -6,6 +6,7 @@ use tresca_la::SymmetricMatrix;
 use super::error::AlgebraicError;
 use super::matrix::Matrix;
 use super::note::Note;
+use crate::units::unit_of;
 
 /// Relative asymmetry up to which K is symmetrised: rounding, or an assembly in another order.
 const ALLOWED_ASYMMETRY: f64 = 1e-8;
@@ -16,6 +17,8 @@ pub(super) struct Stiffness {
     pub matrix: Matrix,
     /// The dofs of its connected parts, ascending; the parts by their first dof.
     pub parts: Vec<Vec<usize>>,
+    /// The unit of its entries, a power of two.
+    pub unit: f64,
 }
 
 impl Stiffness {
@@ -60,8 +63,16 @@ impl Stiffness {
                 });
             }
         }
+        let unit = unit_of(matrix.largest());
+        if unit != 1.0 {
+            matrix.scale(1.0 / unit);
+        }
         let parts = connected_parts(&matrix);
-        Ok(Self { matrix, parts })
+        Ok(Self {
+            matrix,
+            parts,
+            unit,
+        })
     }
 
     /// K on some dofs (ascending, whole parts), numbered from 0 in their order.

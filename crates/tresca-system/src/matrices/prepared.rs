@@ -12,7 +12,7 @@ use super::note::Note;
 use super::parts::Stiffness;
 use super::problem::{Conditions, MatrixProblem};
 use super::solution::{Forces, Solution};
-use super::{check, patches, rank};
+use super::{check, lengths, patches, rank};
 use crate::description::{Description, Times};
 use crate::engine::choose_engine;
 use crate::load_case::{LoadCase, WarmStart};
@@ -66,7 +66,11 @@ pub fn prepare(
     check_conditions(&problem.conditions, dofs, m, tangents)?;
     let laws = problem.conditions.friction.laws(m)?;
     let mobility = check::mobility(&b, m, tangents, &mut notes)?;
-    let layout = check::layout(&laws, &mobility, tangents)?;
+    let mut layout = check::layout(&laws, &mobility, tangents)?;
+    let scales = lengths::scales(&lengths::of_rows(&b), m, tangents);
+    if let Some(scales) = scales {
+        layout = layout.with_scales(scales);
+    }
     check::note_ignored_figures(&laws, tangents, &mut notes);
     if let Some(points) = &problem.points {
         check::vector(
@@ -76,7 +80,7 @@ pub fn prepare(
             "three per contact pair",
         )?;
     }
-    let dependent = rank::dependent_rows(&b);
+    let dependent = rank::dependent_rows(&b.clone().with_rows_scaled(layout.weights()));
     let singular = !dependent.is_empty();
     if singular {
         let rows = dependent
@@ -129,6 +133,7 @@ pub fn prepare(
         slidings: &slidings,
         patches,
         engine,
+        stiffness_unit: stiffness.unit,
         dofs,
         held_pairs: mobility.iter().filter(immobile).count(),
     };
@@ -236,7 +241,7 @@ impl PreparedProblem {
         let m = layout.pair_count();
         check_conditions(conditions, self.dofs.count(), m, self.tangents)?;
         let laws = conditions.friction.laws(m)?;
-        if check::layout(&laws, &self.mobility, self.tangents)? != *layout {
+        if !check::layout(&laws, &self.mobility, self.tangents)?.same_blocks(layout) {
             return Err(AlgebraicError::LawsChanged);
         }
         let mut origin = vec![0.0; layout.unknowns()];

@@ -7,3 +7,4 @@ mod dual_form;
 mod files;
 mod oracle;
 mod repeated;
+mod sizes;
