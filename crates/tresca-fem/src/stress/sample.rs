@@ -84,10 +84,17 @@ pub fn samples(
 }
 
 /// The equivalent stress of von Mises, √(3/2 s:s) with s the deviator.
-pub fn von_mises([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> f64 {
+pub fn von_mises(stress: [f64; 6]) -> f64 {
+    let size = stress.iter().fold(0.0, |a: f64, s| a.max(s.abs()));
+    if size == 0.0 || !size.is_finite() {
+        return size;
+    }
+    // In units of the largest component, whose square always fits; a power of two, so that no digit changes.
+    let unit = size.log2().floor().exp2();
+    let [xx, yy, zz, xy, yz, xz] = stress.map(|s| s / unit);
     let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
     let shear = xy * xy + yz * yz + xz * xz;
-    (0.5 * normal + 3.0 * shear).sqrt()
+    unit * (0.5 * normal + 3.0 * shear).sqrt()
 }
 
 /// Strain energy ½ ∫ σ : ε dΩ, without an initial strain, of a displacement over the full dofs, by each cell's stiffness rule (per

@@ -275,3 +275,66 @@ fn one_thread_and_two_give_the_same_counts() {
         "other units",
     );
 }
+
+#[test]
+fn loads_and_stiffness_of_any_size_give_the_same_iterations_and_the_answer_in_proportion() {
+    let solve = |force: f64, stiffness: f64| {
+        let block = |low: f64, top: f64| {
+            let spec = BrickSpec {
+                min: [0.0, 0.0, low],
+                max: [2.0, 1.0, top],
+                nodes: [4, 4, 3],
+            };
+            brick(&spec).unwrap()
+        };
+        let material = |young: f64| Isotropic::new(young * stiffness, 0.3).unwrap();
+        let mut model = Model::new("any size");
+        model
+            .add_body(Body::new("upper", block(1.0, 2.0), material(5e4)))
+            .unwrap();
+        model
+            .add_body(Body::new("lower", block(0.0, 1.0), material(5e4)))
+            .unwrap();
+        model.add_support(Support::clamp("upper.x+")).unwrap();
+        model.add_support(Support::clamp("lower.x-")).unwrap();
+        for face in ["upper.z+", "upper.x-"] {
+            let load = Traction::new([0.0, 0.0, -force]).on(face);
+            model.add_load(load).unwrap();
+        }
+        let friction = FrictionLaw::tresca(0.09 * force);
+        model
+            .add_contact(Contact::new("upper.z-", "lower.z+", friction))
+            .unwrap();
+        run(&model)
+    };
+    let expected = solve(1.0, 1.0);
+    assert!(expected.converged());
+    for size in [1e-200, 1e200] {
+        for (force, stiffness) in [(size, 1.0), (1.0, size), (size, size)] {
+            let found = solve(force, stiffness);
+            assert!(
+                found.converged(),
+                "{force:e}, {stiffness:e}: {}",
+                found.status()
+            );
+            let [own, other] = [&found, &expected].map(|outcome| outcome.last());
+            assert_eq!(
+                own.solution.figures.iterations,
+                other.solution.figures.iterations
+            );
+            for (u, v) in own
+                .displacements
+                .concat()
+                .iter()
+                .zip(other.displacements.concat())
+            {
+                let u = u / (force / stiffness);
+                assert!(
+                    (u - v).abs() < 1e-9 * 1e-4,
+                    "{force:e}, {stiffness:e}: {u} is not {v}"
+                );
+            }
+            assert!(own.certificate.worst() < 1e-6, "{:?}", own.certificate);
+        }
+    }
+}
