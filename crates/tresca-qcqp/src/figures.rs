@@ -32,6 +32,8 @@ pub struct Figures {
     /// Steps of the proximal point method, which takes over where A is singular and the method fails; their
     /// Newton iterations are among `iterations`. 0 otherwise.
     pub proximal_steps: usize,
+    /// Coulomb's law: sweeps over the contacts, which take over where bounds do not settle. 0 otherwise.
+    pub sweeps: usize,
     /// q(λ) = ½ λᵀAλ − λᵀb.
     #[serde(rename = "dual_objective")]
     pub objective: f64,

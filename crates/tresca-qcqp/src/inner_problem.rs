@@ -106,6 +106,7 @@ impl Ending {
                 outer_iterations: self.outer_iterations,
                 outer_residual: self.outer_residual,
                 proximal_steps: 0,
+                sweeps: 0,
                 objective: self.objective,
                 seconds_in_products: spent.time.as_secs_f64(),
             },

@@ -25,6 +25,8 @@ pub(crate) struct Session<'a> {
     pub singular: bool,
     /// Proximal steps so far.
     pub proximal_steps: usize,
+    /// Sweeps over the contacts so far.
+    pub sweeps: usize,
 }
 
 /// How an inner problem is tried.
@@ -86,6 +88,7 @@ impl Session<'_> {
         let sigma = self.memory.spectrum.sigma;
         let mut solution = ending.into_solution(self.settings, self.journal, tally, sigma);
         solution.figures.proximal_steps = self.proximal_steps;
+        solution.figures.sweeps = self.sweeps;
         solution
     }
 }

@@ -74,6 +74,7 @@ pub fn solve(
         journal,
         singular,
         proximal_steps: 0,
+        sweeps: 0,
     };
     let frictional = Frictional {
         rhs,

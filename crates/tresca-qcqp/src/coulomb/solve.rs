@@ -1,15 +1,24 @@
 //! The choice between the two ways to the bounds.
 
 use super::frictional::Frictional;
-use super::{fixed_point, in_loop};
+use super::{fixed_point, in_loop, sweeps};
 use crate::inner_problem::Ending;
 use crate::session::Session;
 use crate::settings::{CoulombMethod, Method};
 use crate::start::Start;
 use crate::status::Status;
 
-/// Solves it by the way that the settings name.
+/// Solves it by the way that the settings name, and contact by contact where that gives up.
 pub(crate) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
+    let ending = by_newton(session, problem, start);
+    let steps_left = session.journal.steps() < session.settings.max_iterations;
+    if !(gave_up(ending.status) && steps_left) || session.journal.stop {
+        return ending;
+    }
+    sweeps::solve(session, problem, start).unwrap_or(ending)
+}
+
+fn by_newton(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
     match session.settings.coulomb {
         CoulombMethod::FixedPoint => fixed_point::solve(session, problem, start),
         CoulombMethod::InLoop => in_loop::solve(session, problem, start),
@@ -37,6 +46,7 @@ fn gave_up(status: Status) -> bool {
         status,
         Status::IterationLimit
             | Status::Stagnated
+            | Status::Diverged
             | Status::CoulombCycles
             | Status::CoulombDiverges
     )

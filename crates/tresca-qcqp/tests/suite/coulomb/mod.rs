@@ -1,6 +1,7 @@
 //! Coulomb's law: fixed points checked by the conic solver, and both ways to them.
 
 mod settling;
+mod sweeps;
 
 use crate::common::half_space::HalfSpace;
 use crate::common::{Plain, distance, norm, oracle};

@@ -3,8 +3,10 @@
 use super::{METHODS, assert_bounds_follow, indentation, run, settings};
 use crate::common::half_space::HalfSpace;
 use crate::common::{Plain, distance, norm, oracle};
+use tresca_qcqp::operator::{Dense, DualOperator, LocalModel, Tally};
 use tresca_qcqp::{
-    CoulombBound, CoulombMethod, InnerSolver, ProductSet, Settings, Status, Unobserved, solve,
+    CoulombBound, CoulombMethod, DualProblem, InnerSolver, ProductSet, Settings, Status,
+    Unobserved, solve,
 };
 
 /// λν = 1 − kλτ and λτ = F λν with Fk > 1: the bound jumps between two values for ever.
@@ -24,11 +26,40 @@ fn cycling() -> (Plain, Vec<CoulombBound>) {
     (plain, law)
 }
 
+/// A by its products alone: nothing can be solved contact by contact.
+struct Products(Dense);
+
+impl DualOperator for Products {
+    fn dim(&self) -> usize {
+        self.0.dim()
+    }
+
+    fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        self.0.multiply(x, y);
+    }
+
+    fn tally(&mut self) -> &mut Tally {
+        self.0.tally()
+    }
+
+    fn local_model(&self) -> LocalModel {
+        self.0.local_model()
+    }
+}
+
 #[test]
 fn a_cycle_of_the_bounds_is_recognised() {
     let (plain, law) = cycling();
     for coulomb in METHODS {
-        let (problem, solution) = run(&plain, law.clone(), &settings(coulomb));
+        let mut problem = DualProblem::new(
+            Products(Dense::new(plain.packed())),
+            plain.b.clone(),
+            plain.set.clone(),
+        )
+        .unwrap()
+        .with_coulomb(law.clone())
+        .unwrap();
+        let solution = solve(&mut problem, &settings(coulomb), None, &mut Unobserved).unwrap();
         assert_eq!(solution.status, Status::CoulombCycles, "{coulomb}");
         assert!(!solution.status.is_converged() && solution.figures.outer_residual > 0.1);
         assert!(problem.set().contains(&solution.lambda));
