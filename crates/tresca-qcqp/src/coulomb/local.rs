@@ -150,9 +150,9 @@ fn eliminate(mut w: [[f64; 3]; 3], mut y: [f64; 3], order: usize) -> Option<[f64
         y.swap(k, pivot);
         for i in k + 1..order {
             let factor = w[i][k] / w[k][k];
-            for j in k..order {
-                w[i][j] -= factor * w[k][j];
-            }
+            let above = w[k];
+            let both = w[i][k..order].iter_mut().zip(&above[k..order]);
+            both.for_each(|(x, above)| *x -= factor * above);
             y[i] -= factor * y[k];
         }
     }
@@ -179,12 +179,16 @@ mod tests {
             let sum: f64 = (0..3).map(|k| a(i, k) * a(j, k)).sum();
             sum + if i == j { 0.5 } else { 0.0 }
         };
-        let mut w = [[0.0; 3]; 3];
-        for i in 0..=tangents {
-            for j in 0..=tangents {
-                w[i][j] = entry(i, j);
-            }
-        }
+        let inside = |i: usize| i <= tangents;
+        let w = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                if inside(i) && inside(j) {
+                    entry(i, j)
+                } else {
+                    0.0
+                }
+            })
+        });
         let mut q = [number(10) - 0.5, number(11), number(12)];
         q[1 + tangents..].fill(0.0);
         Local {

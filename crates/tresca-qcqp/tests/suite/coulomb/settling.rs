@@ -47,18 +47,19 @@ impl DualOperator for Products {
     }
 }
 
+fn products_alone(plain: &Plain, law: Vec<CoulombBound>) -> DualProblem<'static> {
+    let operator = Products(Dense::new(plain.packed()));
+    DualProblem::new(operator, plain.b.clone(), plain.set.clone())
+        .unwrap()
+        .with_coulomb(law)
+        .unwrap()
+}
+
 #[test]
 fn a_cycle_of_the_bounds_is_recognised() {
     let (plain, law) = cycling();
     for coulomb in METHODS {
-        let mut problem = DualProblem::new(
-            Products(Dense::new(plain.packed())),
-            plain.b.clone(),
-            plain.set.clone(),
-        )
-        .unwrap()
-        .with_coulomb(law.clone())
-        .unwrap();
+        let mut problem = products_alone(&plain, law.clone());
         let solution = solve(&mut problem, &settings(coulomb), None, &mut Unobserved).unwrap();
         assert_eq!(solution.status, Status::CoulombCycles, "{coulomb}");
         assert!(!solution.status.is_converged() && solution.figures.outer_residual > 0.1);
@@ -124,7 +125,7 @@ fn a_widening_spiral_is_recognised() {
     let first = 4.095 / 2.1025;
     let solution_bounds = [first, 2.1 + 1.05 * first];
     let run_from = |bounds: [f64; 2]| {
-        let mut problem = plain.problem().with_coulomb(law.clone()).unwrap();
+        let mut problem = products_alone(&plain, law.clone());
         problem
             .set_set(ProductSet::contact_2d(&bounds).unwrap())
             .unwrap();
