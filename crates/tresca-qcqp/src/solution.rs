@@ -39,3 +39,25 @@ pub struct DualSolution {
     /// One record per iteration, and one for each start.
     pub records: Vec<IterationRecord>,
 }
+
+impl DualSolution {
+    /// Counts an earlier run, of which this is the continuation, as part of this one.
+    pub fn follow(&mut self, earlier: &Self) {
+        let (own, before) = (&mut self.figures, &earlier.figures);
+        let (records, n_a) = (earlier.records.len(), before.n_a);
+        let outer = earlier.records.last().map_or(0, |last| last.outer + 1);
+        own.iterations += before.iterations;
+        own.n_a += before.n_a;
+        own.n_a_setup += before.n_a_setup;
+        own.outer_iterations += before.outer_iterations;
+        own.proximal_steps += before.proximal_steps;
+        own.sweeps += before.sweeps;
+        own.seconds_in_products += before.seconds_in_products;
+        for record in &mut self.records {
+            record.iteration += records;
+            record.outer += outer;
+            record.n_a += n_a;
+        }
+        self.records.splice(0..0, earlier.records.iter().cloned());
+    }
+}

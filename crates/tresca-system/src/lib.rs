@@ -20,6 +20,7 @@ pub mod description;
 mod ellipse;
 pub mod engine;
 pub mod factors;
+mod judge;
 pub mod layout;
 pub mod load_case;
 pub mod matrices;

@@ -6,22 +6,25 @@ use tresca_la::vector::{dot, norm};
 use crate::ellipse::Ellipse;
 use crate::layout::Layout;
 
-/// A body that has moved without strain has forces and an energy all the same, from rounding in Ku. What
-/// is below these parts of diag(K)u, and of uᵀdiag(K)u, is no figure to compare with.
-pub const ROUNDING_OF_FORCES: f64 = 1e-6;
-const ROUNDING_OF_ENERGY: f64 = 1e-10;
+/// What rounding may do to a displacement, relative to what the loads would do without contact, and to an energy,
+/// relative to the work of the forces along such displacements. Below, a figure compares with nothing.
+const ROUNDING: f64 = 1e-9;
+/// A body on which less than this part of the forces on the others acts is measured by that part.
+const LEAST_SHARE: f64 = 1e-4;
 
 /// What the bodies say: energies and the residual of equilibrium.
 #[derive(Debug)]
 pub(crate) struct Elastic {
-    /// ‖Ku + Bᵀλ − f‖ relative to the forces that balance.
+    /// The largest of all bodies of ‖Kv + Bᵀλ − f‖ over the forces that act on it.
     pub residual: f64,
-    /// uᵀKu.
+    /// vᵀKv, v the displacement without rigid motions.
     pub strain_work: f64,
     /// fᵀu.
     pub load_work: f64,
-    /// The energy that others are compared with: ½uᵀKu, unless that is rounding.
-    pub energy: f64,
+    /// Σ |f_i u_i|.
+    pub load_work_size: f64,
+    /// The largest nodal load.
+    pub largest_load: f64,
 }
 
 /// The same of one body.
@@ -30,57 +33,74 @@ pub(crate) struct ElasticSums {
     residual: f64,
     strain_work: f64,
     load_work: f64,
-    /// Squared norms of f, Bᵀλ, Ku and diag(K)u.
-    squares: [f64; 4],
-    /// uᵀdiag(K)u.
-    rigid_work: f64,
+    load_work_size: f64,
+    /// ‖f‖ and ‖Bᵀλ‖, whichever is larger.
+    forces: f64,
+    /// ‖Kv‖.
+    internal: f64,
+    largest_load: f64,
+}
+
+/// What a body is measured by, over its free dofs.
+pub(crate) struct BodyState<'a> {
+    /// u.
+    pub displacement: &'a [f64],
+    /// v = u without the rigid motion that contact decides about: K v = K u, without the rounding of far motions.
+    pub strained: &'a [f64],
+    /// f.
+    pub load: &'a [f64],
+    /// −Bᵀλ.
+    pub contact: &'a [f64],
+    /// K v.
+    pub internal: &'a [f64],
 }
 
 impl ElasticSums {
-    /// Adds u, f, the contact forces −Bᵀλ on it, Ku and diag(K), over the free dofs.
-    pub fn add(
-        &mut self,
-        u: &[f64],
-        f: &[f64],
-        contact: &[f64],
-        internal: &[f64],
-        diagonal: &[f64],
-    ) {
-        self.strain_work += dot(u, internal);
-        self.load_work += dot(u, f);
-        let rigid: Vec<f64> = diagonal.iter().zip(u).map(|(k, u)| k * u).collect();
-        self.rigid_work += dot(u, &rigid);
-        for (square, forces) in self.squares.iter_mut().zip([f, contact, internal, &rigid]) {
-            *square += dot(forces, forces);
-        }
-        for ((k, c), f) in internal.iter().zip(contact).zip(f) {
-            self.residual += (k - c - f).powi(2);
+    /// Of one body.
+    pub fn new(body: &BodyState) -> Self {
+        let BodyState {
+            displacement,
+            strained,
+            load,
+            contact,
+            internal,
+        } = *body;
+        let residual: Vec<f64> = internal
+            .iter()
+            .zip(contact)
+            .zip(load)
+            .map(|((k, c), f)| k - c - f)
+            .collect();
+        let works = load.iter().zip(displacement).map(|(f, u)| (f * u).abs());
+        Self {
+            residual: norm(&residual),
+            strain_work: dot(strained, internal),
+            load_work: dot(displacement, load),
+            load_work_size: works.sum(),
+            forces: norm(load).max(norm(contact)),
+            internal: norm(internal),
+            largest_load: largest(load),
         }
     }
 
     /// The figures of all bodies.
     pub fn total(bodies: &[Self]) -> Elastic {
-        let mut sum = Self::default();
-        for body in bodies {
-            sum.residual += body.residual;
-            sum.strain_work += body.strain_work;
-            sum.load_work += body.load_work;
-            sum.rigid_work += body.rigid_work;
-            for (square, own) in sum.squares.iter_mut().zip(body.squares) {
-                *square += own;
-            }
-        }
-        let [load, contact, internal, rigid] = sum.squares.map(f64::sqrt);
-        let forces = load
-            .max(contact)
-            .max(internal)
-            .max(ROUNDING_OF_FORCES * rigid);
-        let rounding = ROUNDING_OF_ENERGY * sum.rigid_work;
+        let all = bodies.iter().map(|body| body.forces).fold(0.0, f64::max);
+        let relative = |body: &Self| {
+            // Where no force acts at all, what moves without strain has rounding alone for a residual.
+            let forces = match all {
+                0.0 => body.internal,
+                all => body.forces.max(LEAST_SHARE * all),
+            };
+            body.residual / scale(forces)
+        };
+        let sum = |pick: fn(&Self) -> f64| bodies.iter().map(pick).sum();
         Elastic {
-            residual: sum.residual.sqrt() / scale(forces),
-            strain_work: sum.strain_work,
-            load_work: sum.load_work,
-            energy: scale(f64::max(0.5 * sum.strain_work, 0.5 * rounding)),
+            residual: bodies.iter().map(relative).fold(0.0, f64::max),
+            strain_work: sum(|body| body.strain_work),
+            load_work: sum(|body| body.load_work),
+            load_work_size: sum(|body| body.load_work_size),
+            largest_load: bodies.iter().map(|b| b.largest_load).fold(0.0, f64::max),
         }
     }
 }
@@ -96,6 +116,8 @@ pub(crate) struct Pairs<'a> {
     pub forces: &'a [f64],
     /// B u, the slip since where it is counted from.
     pub relative: &'a [f64],
+    /// The largest force that acts on the bodies otherwise.
+    pub largest_load: f64,
 }
 
 /// What the pairs say.
@@ -110,8 +132,11 @@ pub(crate) struct Interface {
     pub friction_work: f64,
     /// Σ λν (Nu − d) + Σ λτ·s, signed.
     contact_work: f64,
+    /// Σ of the absolute values.
+    pub forces: f64,
     pub largest_bound: f64,
     pub largest_normal: f64,
+    /// The largest force of all, loads included.
     pub largest_force: f64,
 }
 
@@ -123,10 +148,12 @@ impl Interface {
             slidings,
             forces: lambda,
             relative,
+            largest_load,
         } = *pairs;
         let mut sum = Self {
             largest_normal: largest(&lambda[..gaps.len()]),
-            largest_force: largest(lambda),
+            largest_force: largest(lambda).max(largest_load),
+            forces: lambda.iter().map(|l| l.abs()).sum(),
             ..Self::default()
         };
         for (i, gap) in gaps.iter().enumerate() {
@@ -150,9 +177,12 @@ impl Interface {
                 continue;
             };
             sum.contact_work += dot(&force, &slip);
-            let ellipse = Ellipse(bounds);
+            sum.cone = sum.cone.max(Ellipse(bounds).excess(force));
+            // A bound far above every force that acts ("never slips") is as good as one that is just not reached: a
+            // slip of rounding would count by it, and it dissipates nothing.
+            let ceiling = sum.largest_force.max(norm(&force));
+            let ellipse = Ellipse(bounds.map(|bound| bound.min(ceiling)));
             let work = ellipse.support(slip);
-            sum.cone = sum.cone.max(ellipse.excess(force));
             let dissipated = dot(&force, &slip);
             sum.slip_law += (work - dissipated).abs();
             sum.negative_work += f64::max(-dissipated, 0.0);
@@ -165,6 +195,28 @@ impl Interface {
     /// Primal less dual energy where equilibrium holds by construction: Σ h(s) − λᵀ(Bu − c).
     pub fn duality_gap(&self) -> f64 {
         self.friction_work - self.contact_work
+    }
+}
+
+/// What the figures of a certificate are divided by.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scales {
+    /// The largest displacement, and rounding in what the problem could have.
+    pub length: f64,
+    /// The elastic energy or what friction takes, and rounding in the work that the forces could do.
+    pub energy: f64,
+}
+
+impl Scales {
+    /// `moved` is the largest displacement, free or prescribed; `free` the largest one that the loads would cause
+    /// without contact, or gap.
+    pub fn new(elastic: &Elastic, interface: &Interface, moved: f64, free: f64) -> Self {
+        let work = interface.forces * free.max(moved) + elastic.load_work_size;
+        let energy = (0.5 * elastic.strain_work).max(interface.friction_work);
+        Self {
+            length: scale(moved.max(ROUNDING * free)),
+            energy: scale(energy.max(ROUNDING * work)),
+        }
     }
 }
 

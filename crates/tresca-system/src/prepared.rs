@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 use tresca_contact::Sliding;
-use tresca_la::vector::dot;
+use tresca_la::vector::{axpy, dot, norm};
 use tresca_qcqp::{DualProblem, DualSolution, QcqpError, Settings, Status};
 
 use crate::body::{SystemBody, add_motions, at_rest, load_on_motions};
@@ -12,9 +12,10 @@ use crate::contradiction::Contradiction;
 use crate::description::{Description, EngineChoice, Times};
 use crate::engine::dual_problem;
 use crate::factors::Factors;
+use crate::judge;
 use crate::layout::Layout;
 use crate::load_case::{self, LoadCase, WarmStart};
-use crate::measures::{ElasticSums, largest};
+use crate::measures::{BodyState, ElasticSums, largest};
 use crate::progress::Progress;
 use crate::run::{self, Unsolved};
 use crate::solved::{Measured, Solved};
@@ -31,6 +32,18 @@ pub struct Prepared {
     /// What K is measured in.
     stiffness_unit: f64,
 }
+
+/// What the loads would do without contact: u⁰ = K⁺f.
+#[derive(Clone, Copy)]
+struct Free {
+    /// fᵀK⁺f.
+    energy: f64,
+    /// The largest component of u⁰.
+    length: f64,
+}
+
+/// The part of the forces that may be missing from equilibrium before a displacement is refined.
+const LOST: f64 = 1e-12;
 
 /// What a system is prepared from.
 pub struct Parts<'a> {
@@ -162,7 +175,7 @@ impl Prepared {
         let holds =
             |start: &WarmStart| start.slidings.is_none() || self.description.rigid_motions == 0;
         let guess = mu.as_deref().filter(|_| start.is_some_and(holds));
-        let load_energy = self.pose(case, guess)?;
+        let free = self.pose(case, guess)?;
         times.recovery += begin.elapsed().as_secs_f64();
         let start = mu.as_deref().zip(start);
         let start = start.map(|(lambda, start)| tresca_qcqp::Start {
@@ -170,10 +183,29 @@ impl Prepared {
             multiplier: &start.multiplier,
         });
         let solution = run::solve(&mut self.dual, start, settings, times, progress)?;
+        let solved = self.timed_recovery(case, solution, free, times);
+        judge::judge(solved, settings, |finer, last| {
+            let from = last.start();
+            let start = tresca_qcqp::Start {
+                lambda: &from.mu,
+                multiplier: &from.multiplier,
+            };
+            let solution = run::solve(&mut self.dual, Some(start), finer, times, progress)?;
+            Ok(self.timed_recovery(case, solution, free, times))
+        })
+    }
+
+    fn timed_recovery(
+        &self,
+        case: &LoadCase,
+        solution: DualSolution,
+        free: Free,
+        times: &mut Times,
+    ) -> Solved {
         let begin = Instant::now();
-        let solved = self.recover(case, solution, load_energy);
+        let solved = self.recover(case, solution, free);
         times.recovery += begin.elapsed().as_secs_f64();
-        Ok(solved)
+        solved
     }
 
     /// B u of displacements over the free dofs, body by body, where `base` is B u without them.
@@ -189,13 +221,16 @@ impl Prepared {
 
     /// Poses the dual problem: b = B u⁰ − c with u⁰ the displacement without contact (and obstacles where they
     /// are in the step), c = \[d; where slip is counted from\], e = Rᵀf, and the slip bounds, which begin at those of
-    /// the forces `guess`. Returns fᵀK⁺f.
-    fn pose(&mut self, case: &LoadCase, guess: Option<&[f64]>) -> Result<f64, QcqpError> {
+    /// the forces `guess`. Returns what the loads would do without contact.
+    fn pose(&mut self, case: &LoadCase, guess: Option<&[f64]>) -> Result<Free, QcqpError> {
         let layout = &self.layout;
         let nothing = vec![0.0; layout.unknowns()];
         let loads = &case.loads;
         let free = self.factors.displacements(&self.bodies, loads, &nothing);
-        let energy = loads.iter().zip(&free).map(|(f, u)| dot(f, u)).sum();
+        let without_contact = Free {
+            energy: loads.iter().zip(&free).map(|(f, u)| dot(f, u)).sum(),
+            length: free.iter().map(|u| largest(u)).fold(0.0, f64::max),
+        };
         let mut b = self.relative(&free, &case.base);
         b.iter_mut().zip(&case.gaps).for_each(|(b, d)| *b -= d);
         b.iter_mut()
@@ -210,10 +245,46 @@ impl Prepared {
         self.dual.set_coulomb(coulomb)?;
         self.dual
             .set_equality_rhs(&load_on_motions(&self.bodies, loads))?;
-        Ok(energy)
+        Ok(without_contact)
     }
 
-    fn recover(&self, case: &LoadCase, mut solution: DualSolution, load_energy: f64) -> Solved {
+    /// −Bᵀλ of each body.
+    fn contact_forces(&self, mu: &[f64]) -> Vec<Vec<f64>> {
+        let minus: Vec<f64> = mu.iter().map(|x| -x).collect();
+        let of_body = |body: &SystemBody| {
+            let mut contact = vec![0.0; body.dofs()];
+            body.coupling.add_transposed_product(&minus, &mut contact);
+            contact
+        };
+        self.bodies.par_iter().map(of_body).collect()
+    }
+
+    /// v = K⁺(f − Bᵀλ), with one step of iterative refinement where the factor has lost digits, and −Bᵀλ.
+    fn strained(&self, loads: &[Vec<f64>], mu: &[f64]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
+        let contact = self.contact_forces(mu);
+        let bodies = self.bodies.par_iter().zip(&self.factors.bodies);
+        let solved = bodies.zip(loads).zip(&contact);
+        let v = solved.map(|(((body, factor), load), contact)| {
+            let forces: Vec<f64> = load.iter().zip(contact).map(|(f, c)| f + c).collect();
+            let mut v = forces.clone();
+            factor.solve_in_place(&mut v);
+            let mut missing = vec![0.0; v.len()];
+            body.stiffness.mul(&v, &mut missing);
+            if let Some(grounding) = &body.grounding {
+                grounding.add_product(&v, &mut missing);
+            }
+            let terms = missing.iter_mut().zip(&forces);
+            terms.for_each(|(x, f)| *x = f - *x);
+            if norm(&missing) > LOST * norm(load).max(norm(contact)) {
+                factor.solve_in_place(&mut missing);
+                axpy(1.0, &missing, &mut v);
+            }
+            v
+        });
+        (v.collect(), contact)
+    }
+
+    fn recover(&self, case: &LoadCase, mut solution: DualSolution, free: Free) -> Solved {
         let proof = solution.contradiction.as_deref();
         let contradiction =
             proof.and_then(|mu| Contradiction::confirmed(&self.layout, &self.bodies, case, mu));
@@ -223,27 +294,27 @@ impl Prepared {
             solution.contradiction = None;
         }
         let nowhere = matches!(solution.status, Status::NoEquilibrium | Status::Infeasible);
-        let displacements = if nowhere {
+        let (mut displacements, contact) = if nowhere {
             // There is no displacement; the supports alone are where they should be.
-            at_rest(&self.bodies)
+            (at_rest(&self.bodies), self.contact_forces(&solution.lambda))
         } else {
-            let (loads, mu) = (&case.loads, &solution.lambda);
-            let mut free = self.factors.displacements(&self.bodies, loads, mu);
-            add_motions(&self.bodies, &solution.multiplier, &mut free);
-            free
+            self.strained(&case.loads, &solution.lambda)
         };
+        let strained = displacements.clone();
+        if !nowhere {
+            add_motions(&self.bodies, &solution.multiplier, &mut displacements);
+        }
         let relative = self.relative(&displacements, &case.base);
-        let minus: Vec<f64> = solution.lambda.iter().map(|x| -x).collect();
         let sums = self.bodies.par_iter().enumerate().map(|(k, body)| {
-            let u = &displacements[k];
-            let mut contact = vec![0.0; u.len()];
-            body.coupling.add_transposed_product(&minus, &mut contact);
-            let mut internal = vec![0.0; u.len()];
-            body.stiffness.mul(u, &mut internal);
-            let diagonal = body.stiffness.diagonal();
-            let mut sums = ElasticSums::default();
-            sums.add(u, &case.loads[k], &contact, &internal, &diagonal);
-            sums
+            let mut internal = vec![0.0; body.dofs()];
+            body.stiffness.mul(&strained[k], &mut internal);
+            ElasticSums::new(&BodyState {
+                displacement: &displacements[k],
+                strained: &strained[k],
+                load: &case.loads[k],
+                contact: &contact[k],
+                internal: &internal,
+            })
         });
         // In order: sums do not depend on the number of threads.
         let sums: Vec<ElasticSums> = sums.collect();
@@ -257,8 +328,9 @@ impl Prepared {
         });
         let sizes = displacements.iter().map(|u| largest(u));
         let measured = Measured {
-            length: sizes.fold(case.held.max(self.layout.largest_gap(&case.gaps)), f64::max),
-            dual_energy: Some(-solution.figures.objective - 0.5 * load_energy),
+            moved: sizes.fold(case.held, f64::max),
+            free: free.length.max(self.layout.largest_gap(&case.gaps)),
+            dual_energy: Some(-solution.figures.objective - 0.5 * free.energy),
             elastic: ElasticSums::total(&sums),
             displacements,
             relative,

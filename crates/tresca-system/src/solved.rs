@@ -1,13 +1,13 @@
 //! What a solve of a system gives back, whoever brought the matrices.
 
 use tresca_contact::Sliding;
-use tresca_qcqp::{DualSolution, Status};
+use tresca_qcqp::{DualSolution, Settings, Status};
 
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, Failure};
 use crate::contradiction::Contradiction;
 use crate::layout::Layout;
 use crate::load_case::{LoadCase, WarmStart};
-use crate::measures::{Elastic, Interface, Pairs};
+use crate::measures::{Elastic, Interface, Pairs, Scales};
 
 /// Forces, displacements, states of the pairs and the certificate of a solve.
 ///
@@ -37,6 +37,8 @@ pub struct Solved {
     /// With [`Status::NoEquilibrium`]: a motion of the floating bodies which nothing resists enough, over their
     /// free dofs, the largest entry 1.
     pub unresisted: Option<Vec<Vec<f64>>>,
+    /// With [`Status::Inaccurate`]: what of the certificate fails.
+    pub failure: Option<Failure>,
     /// With [`Status::Infeasible`]: the pairs whose constraints contradict each other.
     pub contradiction: Option<Contradiction>,
     /// The laws that held.
@@ -48,8 +50,10 @@ pub(crate) struct Measured {
     pub displacements: Vec<Vec<f64>>,
     pub relative: Vec<f64>,
     pub elastic: Elastic,
-    /// The largest displacement.
-    pub length: f64,
+    /// The largest displacement, free or prescribed.
+    pub moved: f64,
+    /// The largest displacement that the loads would cause without contact, or gap.
+    pub free: f64,
     /// The dual energy; `None`: equilibrium holds by construction, and the gap follows from the pairs alone.
     pub dual_energy: Option<f64>,
     pub unresisted: Option<Vec<Vec<f64>>>,
@@ -70,7 +74,8 @@ impl Solved {
             displacements,
             relative,
             elastic,
-            length,
+            moved,
+            free,
             dual_energy,
             unresisted,
             contradiction,
@@ -83,7 +88,9 @@ impl Solved {
             slidings,
             forces: &forces,
             relative: &since,
+            largest_load: elastic.largest_load,
         });
+        let scales = Scales::new(&elastic, &interface, moved, free);
         let (closed, stick) = (0..m).map(|i| layout.state(&dual.active_set, i)).unzip();
         let bounds = slidings.iter().zip(&forces);
         Self {
@@ -91,13 +98,14 @@ impl Solved {
             closed,
             stick,
             slip_bounds: bounds.map(|(law, &normal)| law.bounds(normal)).collect(),
-            certificate: Certificate::new(&elastic, &interface, length, dual_energy),
+            certificate: Certificate::new(&elastic, &interface, scales, dual_energy),
             slidings: slidings.to_vec(),
             dual,
             displacements,
             forces,
             relative,
             unresisted,
+            failure: None,
             contradiction,
         }
     }
@@ -105,6 +113,16 @@ impl Solved {
     /// The same under these laws, which differ in their units alone.
     pub(crate) fn set_slidings(&mut self, slidings: &[Sliding]) {
         self.slidings = slidings.to_vec();
+    }
+
+    /// Judges the answer once more, by those who have added to its certificate.
+    pub fn judge_again(&mut self, settings: &Settings) {
+        if self.dual.status == Status::Converged
+            && let Some(failure) = self.certificate.failure(settings)
+        {
+            self.dual.status = Status::Inaccurate;
+            self.failure = Some(failure);
+        }
     }
 
     /// λν.

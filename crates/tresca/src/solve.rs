@@ -13,7 +13,7 @@ use tresca_system::progress::{Progress, Silent, Stage, StepInfo, begin};
 use tresca_system::solved::Solved;
 
 use crate::assemble::{Assembled, assemble};
-use crate::balance::balance;
+use crate::balance::{balance, magnitude};
 use crate::error::SolveError;
 use crate::load_step::{Acting, acting};
 use crate::memory;
@@ -221,7 +221,7 @@ impl PreparedModel<'_> {
             .solve(&acting.case, start, settings, times, progress)?;
         let clock = Instant::now();
         state.start = Some(solved.start());
-        let outcome = self.recover(info, &acting, solved, &mut state.relative)?;
+        let outcome = self.recover(info, &acting, solved, settings, &mut state.relative)?;
         times.recovery += clock.elapsed().as_secs_f64();
         Ok(outcome)
     }
@@ -233,6 +233,7 @@ impl PreparedModel<'_> {
         info: &StepInfo<'_>,
         acting: &Acting,
         mut solved: Solved,
+        settings: &Settings,
         relative: &mut Vec<f64>,
     ) -> Result<StepOutcome, SolveError> {
         let (model, assembled) = (self.model, &self.assembled);
@@ -240,8 +241,13 @@ impl PreparedModel<'_> {
         let contacts = pair_states(assembled, &solved, relative);
         let mut reactions = Vec::with_capacity(model.bodies().len());
         let mut surfaces = Vec::with_capacity(model.bodies().len());
-        for (index, body) in model.bodies().iter().enumerate() {
-            let forces = assembled.contact_forces(index, &solved.forces);
+        let contact = |index| assembled.contact_forces(index, &solved.forces);
+        let all: Vec<Vec<f64>> = (0..model.bodies().len()).map(contact).collect();
+        let acts = model.bodies().iter().zip(acting.loads.iter().zip(&all));
+        let acts =
+            acts.map(|(body, (load, forces))| magnitude(body, load).max(magnitude(body, forces)));
+        let largest = acts.fold(0.0, f64::max);
+        for ((index, body), forces) in model.bodies().iter().enumerate().zip(all) {
             let load = &acting.loads[index];
             let dofs = &assembled.bodies[index].dofs;
             let reaction = nodal_reactions(body, dofs, &displacements[index], load, &forces);
@@ -249,18 +255,14 @@ impl PreparedModel<'_> {
                 body: body.name.clone(),
                 source,
             })?;
-            solved.certificate.bodies.push(balance(
-                body,
-                dofs,
-                &self.system.bodies()[index],
-                [load, &forces, &reaction],
-                &solved.displacements[index],
-            ));
+            let own = balance(body, [load, &forces, &reaction], largest);
+            solved.certificate.bodies.push(own);
             surfaces.push(SurfaceFields::new(
                 model, assembled, &contacts, &forces, index,
             ));
             reactions.push(reaction);
         }
+        solved.judge_again(settings);
         let motion = solved.dual.motion.as_ref().zip(solved.unresisted.as_ref());
         let unresisted = motion.map(|(v, free)| unresisted(model, assembled, v, free));
         *relative = solved.relative;
@@ -275,6 +277,7 @@ impl PreparedModel<'_> {
             surfaces,
             certificate: solved.certificate,
             unresisted,
+            failure: solved.failure,
             contradiction: solved.contradiction,
         })
     }

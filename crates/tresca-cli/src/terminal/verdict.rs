@@ -69,6 +69,12 @@ fn conclusion(report: &RunReport) {
             figures.equality_residual
         );
     }
+    if let Some(failure) = &step.failure {
+        println!(
+            "inaccurate: {} is {:.1e}, and may be {:.0e}; rounding leaves the answer undetermined beyond that",
+            failure.item, failure.value, failure.limit
+        );
+    }
     no_equilibrium(step);
     contradiction(step);
 }

@@ -152,6 +152,16 @@ impl Grounding {
         })
     }
 
+    /// out ← out + C Cᵀ v.
+    pub fn add_product(&self, v: &[f64], out: &mut [f64]) {
+        for c in &self.c {
+            let amount: f64 = self.dofs.iter().zip(c).map(|(&dof, c)| c * v[dof]).sum();
+            for (&dof, c) in self.dofs.iter().zip(c) {
+                out[dof] += amount * c;
+            }
+        }
+    }
+
     /// Rows and values of column j of C Cᵀ from the diagonal downwards, zeros (of other parts) left
     /// out.
     fn column_below_diagonal(&self, j: usize) -> impl Iterator<Item = (usize, f64)> + '_ {

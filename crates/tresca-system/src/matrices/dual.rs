@@ -15,6 +15,7 @@ use super::solution::{Forces, Solution};
 use super::{check, lengths};
 use crate::contradiction::Contradiction;
 use crate::description::Times;
+use crate::judge;
 use crate::layout::Layout;
 use crate::load_case;
 use crate::measures::{Elastic, largest, scale};
@@ -170,9 +171,14 @@ pub fn solve_dual(
     let start = warm.as_deref().map(Start::from);
     let solution = run::solve(&mut problem, start, settings, &mut times, progress)?;
     let clock = Instant::now();
-    let mut solved = recover(&mut problem, &layout, &slidings, &rhs, solution);
-    units.leave(&mut solved, &theirs);
+    let solved = recover(&mut problem, &layout, &slidings, &rhs, solution);
     times.recovery += clock.elapsed().as_secs_f64();
+    let mut solved = judge::judge(solved, settings, |finer, last| {
+        let start = Start::from(&last.dual.lambda[..]);
+        let solution = run::solve(&mut problem, Some(start), finer, &mut times, progress)?;
+        Ok(recover(&mut problem, &layout, &slidings, &rhs, solution))
+    })?;
+    units.leave(&mut solved, &theirs);
     Ok(Solution {
         notes,
         ..Solution::new(solved, settings, times)
@@ -205,7 +211,12 @@ fn recover(
         residual: norm(&inconsistency) / scale(norm(own)),
         strain_work: 2.0 * energy,
         load_work: 0.0,
-        energy: scale(energy),
+        load_work_size: 0.0,
+        // Without contact the pairs would move by b: a force that takes that back.
+        largest_load: match solution.figures.sigma_max {
+            0.0 => 0.0,
+            sigma => largest(own) / sigma,
+        },
     };
     let nothing = vec![0.0; mu.len()];
     let gaps = &nothing[..layout.pair_count()];
@@ -214,7 +225,8 @@ fn recover(
     let contradiction = proof.map(|y| Contradiction::new(layout, layout.forces(y), &minus));
     let measured = Measured {
         displacements: Vec::new(),
-        length: largest(&relative).max(largest(rhs)),
+        moved: largest(&relative).max(largest(rhs)),
+        free: largest(rhs),
         relative,
         elastic,
         dual_energy: None,

@@ -3,7 +3,7 @@
 use tresca_qcqp::{Figures, IterationRecord, Settings, StateCounts, Status};
 
 use super::note::Note;
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, Failure};
 use crate::contradiction::Contradiction;
 use crate::description::{Description, Times};
 use crate::layout::Layout;
@@ -72,6 +72,8 @@ pub struct Solution {
     /// With [`Status::NoEquilibrium`]: a motion of the parts that float which nothing resists enough, over
     /// all dofs, the largest entry 1.
     pub unresisted_motion: Option<Vec<f64>>,
+    /// With [`Status::Inaccurate`]: what of the certificate fails.
+    pub failure: Option<Failure>,
     /// With [`Status::Infeasible`]: the pairs whose constraints contradict each other.
     pub contradiction: Option<Contradiction>,
     /// What the user should know about the input.
@@ -95,6 +97,7 @@ impl Solution {
             normal_force: solved.normal_forces().to_vec(),
             tangential_force: solved.tangential_forces().to_vec(),
             slip: solved.slip().to_vec(),
+            failure: solved.failure,
             contradiction: solved.contradiction,
             closed: solved.closed,
             stick: solved.stick,

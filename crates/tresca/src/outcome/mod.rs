@@ -5,7 +5,7 @@ pub(crate) mod reactions;
 pub(crate) mod surface_fields;
 
 use tresca_qcqp::{DualSolution, Settings, Status};
-use tresca_system::certificate::Certificate;
+use tresca_system::certificate::{Certificate, Failure};
 use tresca_system::contradiction::Contradiction;
 use tresca_system::description::{Description, Times};
 
@@ -38,6 +38,8 @@ pub struct StepOutcome {
     pub certificate: Certificate,
     /// With [`Status::NoEquilibrium`]: the motion that nothing resists.
     pub unresisted: Option<UnresistedMotion>,
+    /// With [`Status::Inaccurate`]: what of the certificate fails.
+    pub failure: Option<Failure>,
     /// With [`Status::Infeasible`]: the pairs whose constraints contradict each other.
     pub contradiction: Option<Contradiction>,
 }

@@ -25,6 +25,7 @@ impl RunReport {
 /// The one step of a solve of matrices.
 pub(super) fn of_solution(solution: &Solution) -> StepReport {
     StepReport {
+        failure: solution.failure.clone(),
         contradiction: solution.contradiction.as_ref().map(Into::into),
         ..StepReport::new(
             solution.status,

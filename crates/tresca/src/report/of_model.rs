@@ -39,6 +39,7 @@ fn of_step(model: &Model, step: &StepOutcome, held: usize) -> StepReport {
         resultants: resultants(model, &step.contacts),
         reactions: support_reactions(model, &step.reactions),
         unresisted_motion: step.unresisted.as_ref().map(MotionReport::from),
+        failure: step.failure.clone(),
         contradiction: step
             .contradiction
             .as_ref()

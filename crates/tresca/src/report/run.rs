@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 use tresca_qcqp::{Figures, Settings, StateCounts, Status};
-use tresca_system::certificate::Certificate;
+use tresca_system::certificate::{Certificate, Failure};
 
 use super::contact::{ContactReport, ContactResultant};
 use super::contradiction::ContradictionReport;
@@ -120,6 +120,9 @@ pub struct StepReport {
     /// With `no_equilibrium`: what moves without resistance; of cases.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unresisted_motion: Option<MotionReport>,
+    /// With `inaccurate`: what of the certificate fails.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub failure: Option<Failure>,
     /// With `infeasible`: the pairs whose constraints contradict each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contradiction: Option<ContradictionReport>,
@@ -210,6 +213,7 @@ impl StepReport {
             matrix: None,
             reference: None,
             unresisted_motion: None,
+            failure: None,
             contradiction: None,
         }
     }
