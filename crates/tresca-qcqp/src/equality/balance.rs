@@ -1,6 +1,7 @@
 //! The constraint, and the same in coordinates that compare.
 
 use crate::error::{QcqpError, check_rows, check_vector};
+use crate::point::relative;
 use faer::linalg::solvers::Llt;
 use faer::{Mat, Side};
 use tresca_la::vector::{axpy, dot, norm};
@@ -130,6 +131,16 @@ impl Balance {
     pub fn shortfall(&self, lambda: &[f64]) -> Vec<f64> {
         let rows = self.rows.iter().zip(&self.load);
         rows.map(|(row, e)| e - dot(row, lambda)).collect()
+    }
+
+    /// ‖ẽ − G̃λ‖ relative to the forces that it is made of, motion by motion.
+    pub fn relative_shortfall(&self, shortfall: &[f64], lambda: &[f64]) -> f64 {
+        let sizes = self.rows.iter().zip(&self.load).map(|(row, e)| {
+            let acts: f64 = row.iter().zip(lambda).map(|(g, l)| (g * l).abs()).sum();
+            e.abs().max(acts)
+        });
+        let size = norm(&sizes.collect::<Vec<_>>());
+        relative(norm(shortfall), size)
     }
 
     /// out ← out + G̃ᵀβ.

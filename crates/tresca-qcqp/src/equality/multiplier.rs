@@ -27,6 +27,13 @@ const SLOW: f64 = 0.3;
 const CARE: f64 = 0.1;
 const MOST_CARE: f64 = 1e-4;
 
+/// Weight of the residual that is measured in forces: a tenth of it is asked for.
+const FORCES: f64 = 0.1;
+
+/// The factor by which inner tolerances become finer than the one asked for where forces need it, and the least one.
+const FINER: f64 = 0.1;
+const FINEST: f64 = 1e-14;
+
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
 pub(crate) struct Balanced<'a> {
@@ -67,6 +74,7 @@ pub(crate) fn solve(
     let mut tolerance = FIRST_TOLERANCE.max(problem.tolerance);
     let (mut last_residual, mut care) = (f64::INFINITY, 1.0);
     let mut updates = 0;
+    let mut finest = problem.tolerance;
     loop {
         let mut rhs = problem.rhs.to_vec();
         balance.add_transposed(&beta, &mut rhs);
@@ -80,7 +88,11 @@ pub(crate) fn solve(
         };
         let mut ending = inner_solve::solve(session, &inner, lambda.as_deref());
         let shortfall = balance.shortfall(&ending.point.lambda);
-        let residual = relative(balance.spread(&shortfall), ending.reference);
+        // As a displacement, like gradients, and as a force: where soft motions govern the reference, a small part of
+        // it is a large part of the load.
+        let forces = balance.relative_shortfall(&shortfall, &ending.point.lambda);
+        let moved = relative(balance.spread(&shortfall), ending.reference);
+        let residual = moved.max(FORCES * forces);
         let value = ending.objective + dot(&beta, &balance.load);
         // q itself, and the multiplier that the caller may use.
         ending.objective += dot(&beta, &applied(balance, &ending.point));
@@ -108,6 +120,10 @@ pub(crate) fn solve(
         }
         if residual > SLOW * last_residual {
             care = f64::max(CARE * care, MOST_CARE);
+            if moved <= problem.tolerance {
+                // Only the forces are off: λ has to be known better than gradients of this reference say.
+                finest = f64::max(FINER * finest, FINEST);
+            }
         }
         last_residual = residual;
         let station = Station {
@@ -121,8 +137,8 @@ pub(crate) fn solve(
         });
         (beta, lambda) = (next, Some(expected));
         set = ending.set;
-        tolerance = (care * TOLERANCE_RATIO * residual)
-            .clamp(problem.tolerance, FIRST_TOLERANCE.max(problem.tolerance));
+        tolerance =
+            (care * TOLERANCE_RATIO * moved).clamp(finest, FIRST_TOLERANCE.max(problem.tolerance));
     }
 }
 
