@@ -7,8 +7,10 @@ use super::dense::{add, dot, largest, norm, product, transposed_product};
 use super::oracle::{Conditions, Truth, sweep, truth};
 use super::problem::{Drawn, Form, Problem, bounds, is_closed};
 
-/// What an answer may be off by, relative to what is compared.
+/// What an answer may be off by, relative to what is compared. The dual energy first: with equilibrium, what it
+/// lacks is the energy of the error in u. The primal energy changes with the overlap that the tolerance leaves.
 const ENERGY: f64 = 1e-6;
+const PRIMAL_ENERGY: f64 = 1e-4;
 const CONDITIONS: f64 = 1e-5;
 /// Constraints on displacements, equilibrium, bounds of forces.
 const ADMISSIBLE: f64 = 1e-5;
@@ -94,10 +96,12 @@ pub fn judge(drawn: &Drawn, answer: &Answer) -> Judgement {
 /// How far a converged answer is off.
 #[derive(Debug, Clone, Copy)]
 pub struct Off {
-    /// Of the energies, primal and dual, or the residual of Coulomb's conditions.
+    /// Of the dual energies, or the residual of Coulomb's conditions.
     pub difference: f64,
     /// What is allowed of that.
     pub allowed: f64,
+    /// Of the primal energies.
+    pub primal: f64,
     /// Constraints on displacements that are not met, over the largest displacement or gap.
     pub constraints: f64,
     /// Ku + Bᵀλ − f, over the largest of the three.
@@ -108,7 +112,8 @@ pub struct Off {
 
 impl Off {
     fn is_small(&self) -> bool {
-        self.difference.abs() <= self.allowed
+        self.difference <= self.allowed
+            && self.primal <= PRIMAL_ENERGY
             && self.constraints <= ADMISSIBLE
             && self.equilibrium <= ADMISSIBLE
             && self.forces <= ADMISSIBLE
@@ -119,8 +124,8 @@ impl std::fmt::Display for Off {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "{:.0e} (constraints {:.0e}, equilibrium {:.0e}, forces {:.0e})",
-            self.difference, self.constraints, self.equilibrium, self.forces
+            "{:.0e} (primal energy {:.0e}, constraints {:.0e}, equilibrium {:.0e}, forces {:.0e})",
+            self.difference, self.primal, self.constraints, self.equilibrium, self.forces
         )
     }
 }
@@ -188,6 +193,7 @@ fn measure(drawn: &Drawn, answer: &Answer, truth: &Truth) -> Option<Off> {
     let mut off = Off {
         difference: f64::NAN,
         allowed: ENERGY,
+        primal: 0.0,
         constraints: 0.0,
         equilibrium: primal.map_or(0.0, |u| equilibrium(problem, u, lambda)),
         forces: inadmissible(problem, lambda),
@@ -198,20 +204,19 @@ fn measure(drawn: &Drawn, answer: &Answer, truth: &Truth) -> Option<Off> {
             displacement,
         } => {
             let scale = energy_scale(problem, *energy, displacement);
-            let apart = |found: f64| (found - energy) / scale;
-            match primal {
+            let apart = |found: f64| ((found - energy) / scale).abs();
+            let dual = match primal {
                 Some(u) => {
                     off.constraints = penetration(problem, u, &relative, displacement);
-                    let dual = -0.5 * dot(u, &product(&problem.whole(), u))
-                        - dot(lambda, &problem.shift());
-                    let both = [apart(problem.energy(u)), apart(dual)];
-                    off.difference = largest(&both);
+                    off.primal = apart(problem.energy(u));
+                    -0.5 * dot(u, &product(&problem.whole(), u)) - dot(lambda, &problem.shift())
                 }
                 None => {
                     let form = problem.dual()?;
-                    off.difference = apart(-form.objective(lambda) - 0.5 * form.free_work).abs();
+                    -form.objective(lambda) - 0.5 * form.free_work
                 }
-            }
+            };
+            off.difference = apart(dual);
         }
         Truth::Conditions => {
             off.allowed = CONDITIONS;
@@ -222,24 +227,28 @@ fn measure(drawn: &Drawn, answer: &Answer, truth: &Truth) -> Option<Off> {
     Some(off)
 }
 
-/// What energies of a problem are compared with: its energy, its parts, or what its data make of one.
-fn energy_scale(problem: &Problem, energy: f64, u: &[f64]) -> f64 {
+/// A force, a length and an energy that the data of a problem make; 1 where there are none.
+fn sizes(problem: &Problem) -> [f64; 3] {
     let k = problem.whole();
     let stiff = (0..k.len()).map(|i| k[i][i]).fold(0.0, f64::max);
-    let elastic = 0.5 * dot(u, &product(&k, u));
-    let parts: f64 = u
-        .iter()
-        .zip(&problem.load)
-        .map(|(u, f)| (u * f).abs())
-        .sum();
     let (load, gap) = (norm(&problem.load), norm(&problem.shift()));
-    let data = if stiff > 0.0 {
-        load * load / stiff + stiff * gap * gap
-    } else {
-        load * gap
-    };
-    let scale = energy.abs().max(elastic).max(parts).max(1e-3 * data);
-    if scale > 0.0 { scale } else { 1.0 }
+    if load == 0.0 && gap == 0.0 {
+        return [1.0; 3];
+    }
+    let (force, length) = (load.max(stiff * gap), gap.max(load / stiff));
+    [force, length, force * length]
+}
+
+/// Part of these sizes that is little, but more than rounding.
+const LITTLE: f64 = 1e-3;
+
+/// What energies of a problem are compared with: its energy, its parts, or what its data make of one.
+fn energy_scale(problem: &Problem, energy: f64, u: &[f64]) -> f64 {
+    let elastic = 0.5 * dot(u, &product(&problem.whole(), u));
+    let parts = u.iter().zip(&problem.load).map(|(u, f)| (u * f).abs());
+    let parts: f64 = parts.sum();
+    let least = LITTLE * sizes(problem)[2];
+    energy.abs().max(elastic).max(parts).max(least)
 }
 
 fn equilibrium(problem: &Problem, u: &[f64], lambda: &[f64]) -> f64 {
@@ -251,12 +260,8 @@ fn equilibrium(problem: &Problem, u: &[f64], lambda: &[f64]) -> f64 {
     let scale = [&internal, &contact, &problem.load]
         .map(|x| norm(x))
         .into_iter()
-        .fold(0.0, f64::max);
-    if scale > 0.0 {
-        norm(&left) / scale
-    } else {
-        norm(&left)
-    }
+        .fold(LITTLE * sizes(problem)[0], f64::max);
+    norm(&left) / scale
 }
 
 /// Overlaps and ties that are not met, over the largest displacement along a row, or gap.
@@ -265,6 +270,7 @@ fn penetration(problem: &Problem, u: &[f64], relative: &[f64], right: &[f64]) ->
     let (contact, shift) = (problem.contact(), problem.shift());
     let mut worst = 0.0_f64;
     let mut scale = largest(u).min(largest(right));
+    scale = scale.max(LITTLE * sizes(problem)[1]);
     let mut take = |row: usize, apart: f64| {
         let length = norm(&contact[row]);
         if length > 0.0 {
@@ -288,7 +294,7 @@ fn penetration(problem: &Problem, u: &[f64], relative: &[f64], right: &[f64]) ->
             }
         }
     }
-    if scale > 0.0 { worst / scale } else { worst }
+    worst / scale
 }
 
 fn inadmissible(problem: &Problem, lambda: &[f64]) -> f64 {

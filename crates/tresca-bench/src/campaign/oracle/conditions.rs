@@ -10,6 +10,8 @@ pub struct Conditions<'a> {
     problem: &'a Problem,
     /// For each pair, 1 over the largest eigenvalue of its block of B K⁻¹ Bᵀ.
     stiffness: Vec<f64>,
+    /// The motions of what floats, orthonormal.
+    motions: Rows,
 }
 
 impl<'a> Conditions<'a> {
@@ -17,19 +19,12 @@ impl<'a> Conditions<'a> {
     pub fn new(problem: &'a Problem) -> Option<Self> {
         let mut k = problem.whole();
         let most = (0..k.len()).map(|i| k[i][i]).fold(0.0, f64::max);
-        let mut first = 0;
-        for block in &problem.stiffness {
-            for motion in kernel(block)? {
-                for (i, row) in k[first..first + block.len()].iter_mut().enumerate() {
-                    let held = if most > 0.0 { most } else { 1.0 };
-                    add(
-                        &mut row[first..first + block.len()],
-                        held * motion[i],
-                        &motion,
-                    );
-                }
+        let motions = motions(problem)?;
+        for motion in &motions {
+            for (row, amount) in k.iter_mut().zip(motion) {
+                let held = if most > 0.0 { most } else { 1.0 };
+                add(row, held * amount, motion);
             }
-            first += block.len();
         }
         let factor = Cholesky::new(&k)?;
         let half: Rows = problem
@@ -48,13 +43,34 @@ impl<'a> Conditions<'a> {
         Some(Self {
             problem,
             stiffness: stiffness.collect::<Option<_>>()?,
+            motions,
         })
+    }
+
+    /// The motions of what floats, orthonormal.
+    pub fn motions(&self) -> &Rows {
+        &self.motions
     }
 
     /// The residual of λ with B u − c, see [`residual`].
     pub fn residual(&self, lambda: &[f64], relative: &[f64]) -> f64 {
         residual(self.problem, &self.stiffness, lambda, relative)
     }
+}
+
+/// An orthonormal basis of the kernel of K.
+pub fn motions(problem: &Problem) -> Option<Rows> {
+    let mut motions = Vec::new();
+    let mut first = 0;
+    for block in &problem.stiffness {
+        for own in kernel(block)? {
+            let mut motion = vec![0.0; problem.dofs()];
+            motion[first..first + own.len()].copy_from_slice(&own);
+            motions.push(motion);
+        }
+        first += block.len();
+    }
+    Some(motions)
 }
 
 /// The largest of |λ − P(λ + ρ (Bu − c))| over the pairs, P the projection on the forces that their law allows

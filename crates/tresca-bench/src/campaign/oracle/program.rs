@@ -25,8 +25,6 @@ pub type Row = (Vec<(usize, f64)>, f64);
 pub struct Minimum {
     /// The point.
     pub x: Vec<f64>,
-    /// The multipliers, row by row.
-    pub z: Vec<f64>,
     /// The objective there.
     pub objective: f64,
 }
@@ -104,7 +102,6 @@ impl Program {
             if good && !certificate {
                 return Ok(Minimum {
                     x: found.x.clone(),
-                    z: found.z.clone(),
                     objective: found.obj_val,
                 });
             }

@@ -2,8 +2,9 @@
 
 use tresca::algebraic::Law;
 
+use super::conditions::motions;
 use super::program::Program;
-use crate::campaign::dense::{kernel, norm, product};
+use crate::campaign::dense::{norm, product};
 use crate::campaign::problem::{Problem, bounds, is_closed};
 
 /// Part of the load on what floats, left over: below the first it is balanced, above the second it is not.
@@ -12,16 +13,7 @@ const UNBALANCED: f64 = 1e-4;
 
 /// Is there an equilibrium? `Err` where that is too close to call.
 pub fn is_balanced(problem: &Problem) -> Result<bool, String> {
-    let mut motions = Vec::new();
-    let mut first = 0;
-    for block in &problem.stiffness {
-        for own in kernel(block).ok_or("no eigenvalues")? {
-            let mut motion = vec![0.0; problem.dofs()];
-            motion[first..first + own.len()].copy_from_slice(&own);
-            motions.push(motion);
-        }
-        first += block.len();
-    }
+    let motions = motions(problem).ok_or("no eigenvalues")?;
     let load = product(&motions, &problem.load);
     let size = norm(&load);
     // What rounding makes of a load that acts on no motion.
