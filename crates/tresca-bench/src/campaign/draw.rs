@@ -36,18 +36,28 @@ pub fn with_spectrum(random: &mut Random, spectrum: &[f64]) -> Rows {
     a
 }
 
-/// A full K with this many motions, its other eigenvalues in two decades.
+/// A full K with this many motions, its other eigenvalues in two decades. No dof of a body that floats is much softer
+/// than the others: there rounding would decide whether it floats.
 pub fn full(random: &mut Random, dofs: usize, motions: usize) -> Rows {
-    let spectrum: Vec<f64> = (0..dofs)
-        .map(|i| {
-            if i < motions {
-                0.0
-            } else {
-                random.decades(-1.0, 1.0)
-            }
-        })
-        .collect();
-    with_spectrum(random, &spectrum)
+    loop {
+        let spectrum: Vec<f64> = (0..dofs)
+            .map(|i| {
+                if i < motions {
+                    0.0
+                } else {
+                    random.decades(-1.0, 1.0)
+                }
+            })
+            .collect();
+        let k = with_spectrum(random, &spectrum);
+        let diagonal = (0..dofs).map(|i| k[i][i]);
+        let (least, most) = diagonal.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), k| {
+            (low.min(k), high.max(k))
+        });
+        if motions == 0 || least > 1e-3 * most {
+            return k;
+        }
+    }
 }
 
 /// Masses on springs, one dof each, in a chain with some springs across; held at its first mass or floating.

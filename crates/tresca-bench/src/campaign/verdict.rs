@@ -82,14 +82,22 @@ pub fn judge(drawn: &Drawn, answer: &Answer) -> Judgement {
         End::Status(Status::Converged) => measure(drawn, answer, &truth),
         _ => None,
     };
-    let solved = || sweep(&drawn.truth).is_some();
+    let mut swept = None;
+    let solved = || *swept.insert(sweep(&drawn.truth).is_some());
+    let verdict = verdict(&truth, answer, measured.as_ref(), drawn.may_give_up, solved);
+    let mut oracle = truth.name();
+    match swept {
+        Some(true) => oracle += ", Gauss–Seidel has a solution",
+        Some(false) => oracle += ", Gauss–Seidel has no solution",
+        None => {}
+    }
+    if let Some(off) = &measured {
+        oracle += &format!("; off by {off}");
+    }
     Judgement {
-        verdict: verdict(&truth, answer, measured.as_ref(), drawn.may_give_up, solved),
-        oracle: match &measured {
-            Some(off) => format!("{}; off by {off}", truth.name()),
-            None => truth.name(),
-        },
+        verdict,
         difference: measured.map(|off| off.difference),
+        oracle,
     }
 }
 
@@ -171,7 +179,13 @@ pub fn verdict(
                 unbalanced: true, ..
             },
         ) => Verdict::Right,
-        (Some(Status::Infeasible | Status::NoEquilibrium), _) => Verdict::Wrong,
+        (Some(Status::Infeasible | Status::NoEquilibrium), truth) => {
+            // A proof that is none is wrong, whether a solution is known or not.
+            if matches!(truth, Truth::Conditions) {
+                solved();
+            }
+            Verdict::Wrong
+        }
         _ if may_give_up => Verdict::GaveUp,
         (_, Truth::Conditions) if !solved() => Verdict::Neither,
         _ => Verdict::Undecided,
