@@ -27,6 +27,7 @@ pub fn with_spectrum(random: &mut Random, spectrum: &[f64]) -> Rows {
             }
         }
     }
+    #[allow(clippy::needless_range_loop)] // two entries at a time
     for i in 0..n {
         for j in 0..i {
             let mean = 0.5 * (a[i][j] + a[j][i]);

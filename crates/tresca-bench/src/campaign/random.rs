@@ -9,9 +9,9 @@ pub struct Random(u64);
 pub fn seed_of(campaign: u64, kind: &str, number: usize) -> u64 {
     let mut random = Random::new(campaign);
     for byte in kind.bytes() {
-        random = Random::new(random.next() ^ u64::from(byte));
+        random = Random::new(random.bits() ^ u64::from(byte));
     }
-    Random::new(random.next() ^ number as u64).next()
+    Random::new(random.bits() ^ number as u64).bits()
 }
 
 impl Random {
@@ -21,7 +21,7 @@ impl Random {
     }
 
     /// 64 random bits.
-    pub fn next(&mut self) -> u64 {
+    pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -31,7 +31,7 @@ impl Random {
 
     /// Uniform in [0, 1).
     pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Uniform in [low, high).
@@ -46,7 +46,7 @@ impl Random {
 
     /// One of low, …, high.
     pub fn count(&mut self, low: usize, high: usize) -> usize {
-        low + (self.next() % (high - low + 1) as u64) as usize
+        low + (self.bits() % (high - low + 1) as u64) as usize
     }
 
     /// True in this share of cases.
@@ -95,8 +95,8 @@ mod tests {
     fn the_stream_is_the_published_one() {
         // SplitMix64 of seed 1234567, as in the reference implementation.
         let mut random = Random::new(1_234_567);
-        assert_eq!(random.next(), 6_457_827_717_110_365_317);
-        assert_eq!(random.next(), 3_203_168_211_198_807_973);
+        assert_eq!(random.bits(), 6_457_827_717_110_365_317);
+        assert_eq!(random.bits(), 3_203_168_211_198_807_973);
     }
 
     #[test]

@@ -223,7 +223,7 @@ fn measure(drawn: &Drawn, answer: &Answer, truth: &Truth) -> Option<Off> {
                 Some(u) => {
                     off.constraints = penetration(problem, u, &relative, displacement);
                     off.primal = apart(problem.energy(u));
-                    -0.5 * dot(u, &product(&problem.whole(), u)) - dot(lambda, &problem.shift())
+                    lagrangian(problem, u, lambda, &relative)
                 }
                 None => {
                     let form = problem.dual()?;
@@ -241,6 +241,12 @@ fn measure(drawn: &Drawn, answer: &Answer, truth: &Truth) -> Option<Off> {
     Some(off)
 }
 
+/// ½uᵀKu − fᵀu + λᵀ(Bu − c): the dual energy, where there is equilibrium; a little less of that moves it by its
+/// square only.
+fn lagrangian(problem: &Problem, u: &[f64], lambda: &[f64], relative: &[f64]) -> f64 {
+    0.5 * dot(u, &product(&problem.whole(), u)) - dot(&problem.load, u) + dot(lambda, relative)
+}
+
 /// A force, a length and an energy that the data of a problem make; 1 where there are none.
 fn sizes(problem: &Problem) -> [f64; 3] {
     let k = problem.whole();
@@ -256,13 +262,21 @@ fn sizes(problem: &Problem) -> [f64; 3] {
 /// Part of these sizes that is little, but more than rounding.
 const LITTLE: f64 = 1e-3;
 
+/// Problems are about 1: what an oracle finds below this part of 1e-6 is its rounding.
+const SMALLEST: f64 = 1e-4;
+
 /// What energies of a problem are compared with: its energy, its parts, or what its data make of one.
 fn energy_scale(problem: &Problem, energy: f64, u: &[f64]) -> f64 {
     let elastic = 0.5 * dot(u, &product(&problem.whole(), u));
     let parts = u.iter().zip(&problem.load).map(|(u, f)| (u * f).abs());
     let parts: f64 = parts.sum();
     let least = LITTLE * sizes(problem)[2];
-    energy.abs().max(elastic).max(parts).max(least)
+    energy
+        .abs()
+        .max(elastic)
+        .max(parts)
+        .max(least)
+        .max(SMALLEST)
 }
 
 fn equilibrium(problem: &Problem, u: &[f64], lambda: &[f64]) -> f64 {
@@ -303,9 +317,8 @@ fn penetration(problem: &Problem, u: &[f64], relative: &[f64], right: &[f64]) ->
             },
         );
         if bounds(law, 0.0).is_none() {
-            for row in m + tangents * pair..m + tangents * (pair + 1) {
-                take(row, relative[row].abs());
-            }
+            let rows = m + tangents * pair..m + tangents * (pair + 1);
+            rows.for_each(|row| take(row, relative[row].abs()));
         }
     }
     worst / scale

@@ -57,9 +57,11 @@ pub fn feasible(problem: &Problem) -> Feasible {
     };
     let scale = |pair: usize| {
         let length = norm(&problem.normal[pair]);
-        let terms = problem.normal[pair].iter().zip(&affine.origin);
-        let terms = terms.map(|(a, u)| (a * u).abs()).sum::<f64>() + problem.gap[pair].abs();
-        if length > 0.0 { terms / length } else { 0.0 }
+        if length > 0.0 {
+            norm(&affine.origin) + problem.gap[pair].abs() / length
+        } else {
+            0.0
+        }
     };
     let size = (0..problem.pairs()).map(scale).fold(0.0, f64::max);
     let mut rows = Vec::new();

@@ -75,9 +75,16 @@ impl Program {
         let a = csc(&self.entries, self.rhs.len(), n);
         // First as exact as can be: near its limit the iteration may lose what it had.
         let mut last = String::new();
-        for tolerance in [1e-12, 1e-10, 1e-9] {
+        for (tolerance, equilibrate_enable) in [
+            (1e-12, true),
+            (1e-10, true),
+            (1e-9, true),
+            (1e-12, false),
+            (1e-9, false),
+        ] {
             let settings = DefaultSettings {
                 verbose: false,
+                equilibrate_enable,
                 max_iter: 200,
                 tol_gap_abs: tolerance,
                 tol_gap_rel: tolerance,

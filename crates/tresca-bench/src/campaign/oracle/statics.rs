@@ -58,9 +58,9 @@ pub fn is_balanced(problem: &Problem) -> Result<bool, String> {
         };
         let constant = if radius.is_empty() { 1.0 } else { 0.0 };
         let mut cone = vec![(radius, constant)];
-        for t in 0..tangents {
-            if figures[t] > 0.0 {
-                cone.push((vec![(row(t), -1.0 / figures[t])], 0.0));
+        for (t, figure) in figures.into_iter().enumerate().take(tangents) {
+            if figure > 0.0 {
+                cone.push((vec![(row(t), -1.0 / figure)], 0.0));
             } else {
                 program.equal((vec![(row(t), 1.0)], 0.0));
             }

@@ -4,7 +4,7 @@ use crate::campaign::dense::{self, Rows, dot, norm};
 
 /// A row shorter than this part of itself, once the others are projected out, depends on them.
 const DEPENDENT: f64 = 1e-10;
-/// A dependent row is met up to this part of what its terms are; beyond `CONTRADICTS` it is not.
+/// A dependent row is met up to this part of its length times that of u; beyond `CONTRADICTS` it is not.
 const MET: f64 = 1e-9;
 const CONTRADICTS: f64 = 1e-6;
 
@@ -74,12 +74,7 @@ pub fn eliminate(rows: &[(Vec<f64>, f64)], dofs: usize) -> Ties {
     }
     let mut worst: f64 = 0.0;
     for (row, value) in rows {
-        let terms = value.abs()
-            + row
-                .iter()
-                .zip(&origin)
-                .map(|(a, u)| (a * u).abs())
-                .sum::<f64>();
+        let terms = value.abs() + norm(row) * norm(&origin);
         let apart = (value - dot(row, &origin)).abs();
         if apart > 0.0 {
             worst = worst.max(apart / terms);
@@ -112,6 +107,12 @@ pub fn eliminate(rows: &[(Vec<f64>, f64)], dofs: usize) -> Ties {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rounding_of_a_zero_is_no_contradiction() {
+        let rows = [(vec![0.0, -1.0], 0.0), (vec![-1.0, -1.0], -0.27)];
+        assert!(matches!(eliminate(&rows, 2), Ties::Met(_)));
+    }
 
     #[test]
     fn equations_are_solved_or_contradict() {
