@@ -133,6 +133,42 @@ pub enum Experiment {
     /// Cases of your own: iterations and multiplications by A, reading, contact search, the whole run with
     /// its files beside one linear solve of the same bodies, peak memory.
     Case(CaseArguments),
+    /// Random problems of many kinds, each answer judged by an independent oracle (Clarabel, statics,
+    /// Gauss–Seidel).
+    ///
+    /// Exit code 1 for any wrong answer, more than 0.1 % of undecided ones, or a median n_A that rose.
+    Campaign(CampaignArguments),
+}
+
+#[derive(Debug, Args)]
+pub struct CampaignArguments {
+    /// Number of problems.
+    #[arg(long, value_name = "N", default_value_t = 10_000)]
+    pub problems: usize,
+    /// From which they are drawn.
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    pub seed: u64,
+    /// Take the seed from the clock; it is printed.
+    #[arg(long, conflicts_with = "seed")]
+    pub fresh: bool,
+    /// These kinds only.
+    #[arg(long, value_name = "KIND", value_delimiter = ',')]
+    pub kind: Vec<String>,
+    /// List the kinds.
+    #[arg(long)]
+    pub kinds: bool,
+    /// The one problem of `--kind` with this seed, which is its own (disagreements print it), with its iterations.
+    #[arg(long, value_name = "SEED")]
+    pub only: Option<u64>,
+    /// Print the table as Markdown.
+    #[arg(long)]
+    pub markdown: bool,
+    /// Print the table only.
+    #[arg(short, long)]
+    pub quiet: bool,
+    /// Number of threads (default: all processors).
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]

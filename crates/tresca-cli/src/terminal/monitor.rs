@@ -144,6 +144,11 @@ fn row(cell: impl Fn(&Column) -> String) -> String {
     cells.collect::<Vec<_>>().join(" ")
 }
 
+/// The line of a record; without one the head of the table.
+pub fn row_of(record: Option<&IterationRecord>) -> String {
+    row(|column| record.map_or_else(|| column.title.to_owned(), |record| shown(column, record)))
+}
+
 fn shown(column: &Column, record: &IterationRecord) -> String {
     match ((column.entry)(record), column.notation) {
         (Entry::Real(value), Notation::Fixed(digits)) => format!("{value:.digits$}"),

@@ -1,6 +1,7 @@
 //! `tresca bench`: experiments whose figures the documentation quotes. They are run by `tresca_bench`;
 //! here they are printed.
 
+mod campaign;
 mod case;
 mod coulomb;
 mod table1;
@@ -12,6 +13,7 @@ use crate::terminal::format::{bytes, seconds};
 
 pub fn run(arguments: &BenchArguments) -> miette::Result<u8> {
     let all_converged = match &arguments.experiment {
+        Experiment::Campaign(arguments) => campaign::run(arguments),
         Experiment::Case(arguments) => case::run(arguments),
         Experiment::Table1(arguments) => table1::run(arguments),
         Experiment::Coulomb(arguments) => coulomb::run(arguments),
