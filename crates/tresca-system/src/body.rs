@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use crate::units::unit_of;
+use crate::tame::unit_of;
 use tresca_fem::rigid::Grounding;
 use tresca_la::vector::{axpy, dot};
 use tresca_la::{

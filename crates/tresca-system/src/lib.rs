@@ -29,4 +29,5 @@ pub mod prepared;
 pub mod progress;
 pub mod run;
 pub mod solved;
+mod tame;
 mod units;

@@ -106,9 +106,10 @@ fn primal(drawn: &Drawn) -> Result<Solution, String> {
         .iter()
         .map(|block| matrix(block, block.len()))
         .collect::<Result<Vec<_>, _>>()?;
-    let mut asked = algebraic::Problem::new(blocks, matrix(&problem.normal, n)?, problem.load)
-        .with_gap(problem.gap)
-        .with_friction(problem.laws);
+    let mut asked =
+        algebraic::MatrixProblem::new(blocks, matrix(&problem.normal, n)?, problem.load)
+            .with_gap(problem.gap)
+            .with_friction(problem.laws);
     if problem.tangents > 0 {
         asked = asked
             .with_tangential(matrix(&problem.tangential, n)?)

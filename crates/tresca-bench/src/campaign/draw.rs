@@ -1,6 +1,6 @@
 //! The parts that random problems are made of.
 
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 use super::dense::{Rows, add, dot, norm, product, transposed_product};
 use super::problem::Problem;
@@ -158,7 +158,7 @@ pub enum Family {
 }
 
 /// A law of a family. Without tangents nothing resists sliding.
-pub fn law(random: &mut Random, family: Family, tangents: usize) -> Law {
+pub fn law(random: &mut Random, family: Family, tangents: usize) -> PairLaw {
     let bound = |random: &mut Random| {
         if random.chance(0.1) {
             0.0
@@ -189,17 +189,17 @@ pub fn law(random: &mut Random, family: Family, tangents: usize) -> Law {
     };
     if tangents == 0 {
         return match family {
-            Family::Closed => Law::Bilateral { bound: 0.0 },
-            _ => Law::Frictionless,
+            Family::Closed => PairLaw::Bilateral { bound: 0.0 },
+            _ => PairLaw::Frictionless,
         };
     }
     match family {
-        Family::Tresca => Law::tresca(bound(random)),
-        Family::Orthotropic => Law::Orthotropic {
+        Family::Tresca => PairLaw::tresca(bound(random)),
+        Family::Orthotropic => PairLaw::Orthotropic {
             bounds: [bound(random), bound(random)],
         },
-        Family::Closed if random.chance(0.5) => Law::Tied,
-        Family::Closed => Law::Bilateral {
+        Family::Closed if random.chance(0.5) => PairLaw::Tied,
+        Family::Closed => PairLaw::Bilateral {
             bound: bound(random),
         },
         Family::Coulomb => {
@@ -214,12 +214,12 @@ pub fn law(random: &mut Random, family: Family, tangents: usize) -> Law {
             } else {
                 f64::INFINITY
             };
-            Law::Coulomb {
+            PairLaw::Coulomb {
                 coefficients: [first, second],
                 limit,
             }
         }
-        _ => Law::Frictionless,
+        _ => PairLaw::Frictionless,
     }
 }
 
@@ -251,7 +251,7 @@ pub fn bare(stiffness: Vec<Rows>, pairs: Vec<Pair>, tangents: usize) -> Problem 
         load: vec![0.0; dofs],
         gap: vec![0.0; m],
         origin: vec![0.0; tangents * m],
-        laws: vec![Law::Frictionless; m],
+        laws: vec![PairLaw::Frictionless; m],
     }
 }
 

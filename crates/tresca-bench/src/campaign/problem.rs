@@ -1,7 +1,7 @@
 //! A problem as the oracles see it, in units in which everything is about 1, and as it is put to the solver.
 
 use tresca::Settings;
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 use super::dense::{self, Cholesky, Rows, block_diagonal, dot, product};
 
@@ -23,7 +23,7 @@ pub struct Problem {
     /// s, the slip that counts as none.
     pub origin: Vec<f64>,
     /// One per pair.
-    pub laws: Vec<Law>,
+    pub laws: Vec<PairLaw>,
 }
 
 impl Problem {
@@ -60,7 +60,7 @@ impl Problem {
     pub fn is_coulomb(&self) -> bool {
         self.laws
             .iter()
-            .any(|law| matches!(law, Law::Coulomb { .. }))
+            .any(|law| matches!(law, PairLaw::Coulomb { .. }))
     }
 
     /// ½uᵀKu − fᵀu + Σ h(Tu − s), whatever N u is; with Coulomb's law that part is left out.
@@ -101,11 +101,11 @@ impl Problem {
 }
 
 /// The two slip bounds of a law under a normal force; `None` where nothing slips.
-pub fn bounds(law: &Law, normal: f64) -> Option<[f64; 2]> {
+pub fn bounds(law: &PairLaw, normal: f64) -> Option<[f64; 2]> {
     match *law {
-        Law::Tresca { bound } | Law::Bilateral { bound } => Some([bound; 2]),
-        Law::Orthotropic { bounds } => Some(bounds),
-        Law::Coulomb {
+        PairLaw::Tresca { bound } | PairLaw::Bilateral { bound } => Some([bound; 2]),
+        PairLaw::Orthotropic { bounds } => Some(bounds),
+        PairLaw::Coulomb {
             coefficients: [a, b],
             limit,
         } => {
@@ -117,14 +117,14 @@ pub fn bounds(law: &Law, normal: f64) -> Option<[f64; 2]> {
             };
             Some([a * share, b * share])
         }
-        Law::Tied => None,
+        PairLaw::Tied => None,
         _ => Some([0.0; 2]),
     }
 }
 
 /// Does a pair of this law never open?
-pub fn is_closed(law: &Law) -> bool {
-    matches!(law, Law::Tied | Law::Bilateral { .. })
+pub fn is_closed(law: &PairLaw) -> bool {
+    matches!(law, PairLaw::Tied | PairLaw::Bilateral { .. })
 }
 
 /// min ½ λᵀAλ − λᵀb.
@@ -213,19 +213,19 @@ impl Units {
             let [n, t] = self.rows[pair].map(|e| 2_f64.powi(e));
             let force = k * l / t;
             match problem.laws[pair] {
-                Law::Tresca { bound } => Law::Tresca {
+                PairLaw::Tresca { bound } => PairLaw::Tresca {
                     bound: force * bound,
                 },
-                Law::Bilateral { bound } => Law::Bilateral {
+                PairLaw::Bilateral { bound } => PairLaw::Bilateral {
                     bound: force * bound,
                 },
-                Law::Orthotropic { bounds } => Law::Orthotropic {
+                PairLaw::Orthotropic { bounds } => PairLaw::Orthotropic {
                     bounds: bounds.map(|g| force * g),
                 },
-                Law::Coulomb {
+                PairLaw::Coulomb {
                     coefficients,
                     limit,
-                } => Law::Coulomb {
+                } => PairLaw::Coulomb {
                     coefficients: coefficients.map(|f| f * n / t),
                     limit: force * limit,
                 },

@@ -368,7 +368,7 @@ fn inadmissible(problem: &Problem, lambda: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tresca::algebraic::Law;
+    use tresca::algebraic::PairLaw;
 
     /// A spring of stiffness 2 is pulled by 3 towards a wall at 1: u = 1, λ = 1, energy −2.
     fn wall() -> Drawn {
@@ -380,7 +380,7 @@ mod tests {
             load: vec![3.0],
             gap: vec![1.0],
             origin: Vec::new(),
-            laws: vec![Law::Frictionless],
+            laws: vec![PairLaw::Frictionless],
         })
     }
 
@@ -444,7 +444,7 @@ mod tests {
         let mut squeezed = wall();
         squeezed.truth.normal = vec![vec![1.0], vec![-1.0]];
         squeezed.truth.gap = vec![-0.5, -0.2];
-        squeezed.truth.laws = vec![Law::Frictionless; 2];
+        squeezed.truth.laws = vec![PairLaw::Frictionless; 2];
         let says = |status| Answer {
             forces: vec![1.0, 1.0],
             ..says(status, 0.0, 1.0)
@@ -502,7 +502,7 @@ mod tests {
             load: vec![2.0, 1.0],
             gap: vec![0.5],
             origin: vec![0.0],
-            laws: vec![Law::coulomb(0.2)],
+            laws: vec![PairLaw::coulomb(0.2)],
         };
         let says = |u: [f64; 2], lambda: [f64; 2]| Answer {
             displacement: u.into(),

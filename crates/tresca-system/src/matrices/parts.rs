@@ -6,7 +6,7 @@ use tresca_la::SymmetricMatrix;
 use super::error::AlgebraicError;
 use super::matrix::Matrix;
 use super::note::Note;
-use crate::units::unit_of;
+use crate::tame::unit_of;
 
 /// Relative asymmetry up to which K is symmetrised: rounding, or an assembly in another order.
 const ALLOWED_ASYMMETRY: f64 = 1e-8;

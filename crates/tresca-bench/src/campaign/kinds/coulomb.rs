@@ -1,6 +1,6 @@
 //! Coulomb's law, coefficients to 5.
 
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 use super::{floating, ordinary};
 use crate::campaign::dense::{Rows, dot};
@@ -127,7 +127,7 @@ pub fn rope(random: &mut Random) -> Drawn {
         })
         .collect();
     let mut problem = bare(vec![k], pairs, 1);
-    problem.laws = vec![Law::coulomb(mu); nodes];
+    problem.laws = vec![PairLaw::coulomb(mu); nodes];
     let lever = mu * (0.5 * step).tan();
     let ratio = ((1.0 + lever) / (1.0 - lever)).powi(nodes as i32);
     let pulled = 1.0 + share * (ratio - 1.0);

@@ -1,6 +1,6 @@
 //! Rows that depend on each other or contradict each other; problems in which next to nothing happens.
 
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 use super::ordinary::held;
 use crate::campaign::dense::{add, dot};
@@ -11,7 +11,13 @@ use crate::campaign::problem::{Drawn, Problem};
 use crate::campaign::random::Random;
 
 /// Appends a pair.
-fn push(problem: &mut Problem, normal: Vec<f64>, tangential: Vec<Vec<f64>>, gap: f64, law: Law) {
+fn push(
+    problem: &mut Problem,
+    normal: Vec<f64>,
+    tangential: Vec<Vec<f64>>,
+    gap: f64,
+    law: PairLaw,
+) {
     problem.normal.push(normal);
     problem.origin.extend(tangential.iter().map(|_| 0.0));
     problem.tangential.extend(tangential);
@@ -196,9 +202,9 @@ fn contradict(random: &mut Random, problem: &mut Problem, family: Family) {
     let normal = problem.normal[pair].clone();
     let opposite: Vec<f64> = normal.iter().map(|x| -x).collect();
     let tie = if tangents > 0 && random.chance(0.5) {
-        Law::Tied
+        PairLaw::Tied
     } else {
-        Law::Bilateral { bound: 0.0 }
+        PairLaw::Bilateral { bound: 0.0 }
     };
     match random.count(0, 4) {
         0 => {
@@ -336,11 +342,11 @@ pub fn tie_loops(random: &mut Random) -> Drawn {
     let mut left = 0.0;
     for body in 0..count {
         problem.laws[body] = if tied_normals {
-            Law::Bilateral {
+            PairLaw::Bilateral {
                 bound: random.decades(-2.0, 1.0),
             }
         } else {
-            Law::Tied
+            PairLaw::Tied
         };
         problem.gap[body] = if body + 1 == count || random.chance(0.5) {
             -left

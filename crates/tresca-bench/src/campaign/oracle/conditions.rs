@@ -1,6 +1,6 @@
 //! The conditions of contact and friction, Coulomb's law among them, as one residual.
 
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 use crate::campaign::dense::{Cholesky, Rows, add, dot, eigen, kernel, largest, product};
 use crate::campaign::problem::{Problem, bounds, is_closed};
@@ -110,7 +110,7 @@ pub fn residual(problem: &Problem, stiffness: &[f64], lambda: &[f64], relative: 
 }
 
 /// The friction force that λτ + ρ · slip is projected on.
-fn allowed(law: &Law, own: &[f64], slip: &[f64], rho: f64, bounds: [f64; 2]) -> Vec<f64> {
+fn allowed(law: &PairLaw, own: &[f64], slip: &[f64], rho: f64, bounds: [f64; 2]) -> Vec<f64> {
     let figures = figures(law, bounds);
     let most = figures[..own.len()].iter().fold(0.0, |a: f64, b| a.max(*b));
     // In the coordinates in which the ellipse is a disc.
@@ -127,15 +127,15 @@ fn allowed(law: &Law, own: &[f64], slip: &[f64], rho: f64, bounds: [f64; 2]) -> 
 }
 
 /// The two figures whose ratio is that of the axes, without a normal force, too.
-fn figures(law: &Law, bounds: [f64; 2]) -> [f64; 2] {
+fn figures(law: &PairLaw, bounds: [f64; 2]) -> [f64; 2] {
     match *law {
-        Law::Coulomb { coefficients, .. } => coefficients,
+        PairLaw::Coulomb { coefficients, .. } => coefficients,
         _ => bounds,
     }
 }
 
 /// The nearest friction force that the law allows, in the coordinates in which its ellipse is a disc.
-pub fn onto(law: &Law, force: &[f64], bounds: [f64; 2]) -> Vec<f64> {
+pub fn onto(law: &PairLaw, force: &[f64], bounds: [f64; 2]) -> Vec<f64> {
     let tangents = force.len();
     let figures = &figures(law, bounds)[..tangents];
     let most = figures.iter().fold(0.0, |a: f64, b| a.max(*b));

@@ -4,7 +4,7 @@ use super::conditions::Conditions;
 use crate::campaign::dense::{Cholesky, Rows, add, dot, norm, product, transposed_product};
 use crate::campaign::problem::{DualForm, Problem, bounds, is_closed};
 use crate::campaign::random::Random;
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 /// A residual of the conditions that is a solution.
 const SOLVED: f64 = 1e-7;
@@ -124,8 +124,8 @@ fn once(problem: &Problem, form: &DualForm, lambda: &mut [f64], relaxation: f64)
 }
 
 /// The exact solution of one contact with isotropic Coulomb friction: open, sticking or slipping.
-fn local(law: &Law, w: &Rows, q: &[f64]) -> Option<Vec<f64>> {
-    let Law::Coulomb {
+fn local(law: &PairLaw, w: &Rows, q: &[f64]) -> Option<Vec<f64>> {
+    let PairLaw::Coulomb {
         coefficients: [mu, other],
         limit,
     } = *law
@@ -201,7 +201,7 @@ fn solve(w: &Rows, q: &[f64]) -> Option<Vec<f64>> {
 }
 
 /// One contact of any law, by projections that follow the normal force.
-fn projected(law: &Law, w: &Rows, q: &[f64], before: &[f64]) -> Vec<f64> {
+fn projected(law: &PairLaw, w: &Rows, q: &[f64], before: &[f64]) -> Vec<f64> {
     let trace: f64 = (0..q.len()).map(|i| w[i][i]).sum();
     if trace <= 0.0 {
         return before.to_vec();

@@ -84,10 +84,10 @@ pub fn truth(problem: &Problem) -> Truth {
 mod tests {
     use super::*;
     use crate::campaign::dense::Rows;
-    use tresca::algebraic::Law;
+    use tresca::algebraic::PairLaw;
 
     /// One dof on a spring of stiffness 2, rows ±1.
-    fn spring(rows: &[(f64, f64, Law)], load: f64) -> Problem {
+    fn spring(rows: &[(f64, f64, PairLaw)], load: f64) -> Problem {
         Problem {
             tangents: 1,
             stiffness: vec![vec![vec![2.0]]],
@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn a_wall_with_and_without_touch() {
         for (gap, u) in [(1.0, 1.0), (2.0, 1.5), (-1.0, -1.0)] {
-            let (energy, found) = solution(&spring(&[(1.0, gap, Law::Frictionless)], 3.0));
+            let (energy, found) = solution(&spring(&[(1.0, gap, PairLaw::Frictionless)], 3.0));
             assert!((found[0] - u).abs() < 1e-7, "gap {gap}: {found:?}");
             assert!((energy - (u * u - 3.0 * u)).abs() < 1e-7);
         }
@@ -123,7 +123,7 @@ mod tests {
     fn friction_takes_its_bound() {
         // Pulled by 3 along a wall that is held off: u = (3 − g)/2, 0 from g = 3 on.
         for (bound, u) in [(0.0, 1.5), (1.0, 1.0), (4.0, 0.0)] {
-            let mut problem = spring(&[(0.0, 1.0, Law::tresca(bound))], 3.0);
+            let mut problem = spring(&[(0.0, 1.0, PairLaw::tresca(bound))], 3.0);
             problem.tangential = vec![vec![1.0]];
             let (energy, found) = solution(&problem);
             assert!((found[0] - u).abs() < 1e-6, "bound {bound}: {found:?}");
@@ -148,7 +148,7 @@ mod tests {
             load: vec![1.0, 3.0, 0.0],
             gap: vec![0.0],
             origin: vec![0.0; 2],
-            laws: vec![Law::Orthotropic { bounds: [2.0, 0.5] }],
+            laws: vec![PairLaw::Orthotropic { bounds: [2.0, 0.5] }],
         };
         let (energy, u) = solution(&problem);
         assert!((u[1] - 1.0).abs() < 1e-6 && u[0].abs() < 1e-7 && u[2].abs() < 1e-6);
@@ -157,9 +157,9 @@ mod tests {
 
     #[test]
     fn contradictions_are_seen() {
-        let tie = Law::Bilateral { bound: 0.0 };
-        let free = Law::Frictionless;
-        let is_infeasible = |rows: &[(f64, f64, Law)]| {
+        let tie = PairLaw::Bilateral { bound: 0.0 };
+        let free = PairLaw::Frictionless;
+        let is_infeasible = |rows: &[(f64, f64, PairLaw)]| {
             let found = truth(&spring(rows, 1.0));
             matches!(
                 found,
@@ -173,7 +173,7 @@ mod tests {
         assert!(is_infeasible(&[(1.0, -0.2, free), (-1.0, 0.1, free)]));
         assert!(is_infeasible(&[
             (1.0, 0.2, tie),
-            (-1.0, -0.3, Law::coulomb(0.3))
+            (-1.0, -0.3, PairLaw::coulomb(0.3))
         ]));
         assert!(!is_infeasible(&[(1.0, -0.2, free), (-1.0, 0.2, free)]));
         assert!(!is_infeasible(&[
@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn what_floats_is_balanced_or_not() {
         // A mass on nothing but a wall, friction and a tie along it.
-        let floats = |law: Law, load: [f64; 2]| {
+        let floats = |law: PairLaw, load: [f64; 2]| {
             let problem = Problem {
                 tangents: 1,
                 stiffness: vec![vec![
@@ -221,15 +221,15 @@ mod tests {
                 other => panic!("{}", other.name()),
             }
         };
-        let u = floats(Law::tresca(0.4), [1.0, 0.3]).unwrap();
+        let u = floats(PairLaw::tresca(0.4), [1.0, 0.3]).unwrap();
         assert!((u[0] - 0.5).abs() < 1e-6 && (u[1] - 1.5).abs() < 1e-6);
         assert!((u[3] - 0.3).abs() < 1e-6);
-        assert!(floats(Law::tresca(0.4), [1.0, 0.5]).is_none());
-        assert!(floats(Law::tresca(0.4), [-1.0, 0.3]).is_none());
-        assert!(floats(Law::Tied, [-1.0, 7.0]).is_some());
-        assert!(floats(Law::coulomb(0.4), [1.0, 0.3]).is_some());
-        assert!(floats(Law::coulomb(0.4), [1.0, 0.5]).is_none());
-        let limited = Law::Coulomb {
+        assert!(floats(PairLaw::tresca(0.4), [1.0, 0.5]).is_none());
+        assert!(floats(PairLaw::tresca(0.4), [-1.0, 0.3]).is_none());
+        assert!(floats(PairLaw::Tied, [-1.0, 7.0]).is_some());
+        assert!(floats(PairLaw::coulomb(0.4), [1.0, 0.3]).is_some());
+        assert!(floats(PairLaw::coulomb(0.4), [1.0, 0.5]).is_none());
+        let limited = PairLaw::Coulomb {
             coefficients: [5.0; 2],
             limit: 0.2,
         };
@@ -269,7 +269,7 @@ mod tests {
             tangential: vec![unit(2), unit(3)],
             gap: vec![0.0; 2],
             origin: vec![0.0; 2],
-            laws: vec![Law::coulomb(0.7726), Law::coulomb(1.4329)],
+            laws: vec![PairLaw::coulomb(0.7726), PairLaw::coulomb(1.4329)],
         };
         let lambda = sweep(&problem).unwrap();
         assert!(lambda[0].abs() < 1e-9 && lambda[2].abs() < 1e-9);

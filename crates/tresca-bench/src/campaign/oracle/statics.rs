@@ -1,6 +1,6 @@
 //! Can the contact forces balance the load on what floats? A conic programme in the forces alone.
 
-use tresca::algebraic::Law;
+use tresca::algebraic::PairLaw;
 
 use super::conditions::motions;
 use super::program::Program;
@@ -39,8 +39,8 @@ pub fn is_balanced(problem: &Problem) -> Result<bool, String> {
         let row = |t: usize| m + tangents * pair + t;
         // Σ (λ_t / w_t)² ≤ radius², w the bounds over the larger one.
         let (figures, radius): ([f64; 2], Vec<(usize, f64)>) = match *law {
-            Law::Tied => continue,
-            Law::Coulomb {
+            PairLaw::Tied => continue,
+            PairLaw::Coulomb {
                 coefficients,
                 limit,
             } => {
