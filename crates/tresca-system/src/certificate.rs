@@ -128,13 +128,18 @@ impl Certificate {
     ///
     /// Balances of forces must hold to 1e-6 (coarser tolerances: to a hundred times the tolerance), everything that
     /// the laws of contact ask for to 1e-4 (ten thousand times the tolerance, a hundred times that on Coulomb's
-    /// bounds). A NaN fails.
-    pub fn failure(&self, settings: &Settings) -> Option<Failure> {
+    /// bounds). Gaps must be closer by the factor `sharpness`, 1 unless rows of B nearly depend on each other. A NaN
+    /// fails.
+    pub fn failure(&self, settings: &Settings, sharpness: f64) -> Option<Failure> {
         let forces = f64::max(1e-6, 100.0 * settings.tolerance);
         let coulomb = 100.0 * settings.coulomb_tolerance;
         let laws = f64::max(1e-4, 1e4 * settings.tolerance).max(coulomb);
         let items = self.items().into_iter().map(|(item, value)| {
-            let limit = if item == "equilibrium" { forces } else { laws };
+            let limit = match item {
+                "equilibrium" => forces,
+                "penetration" => sharpness * laws,
+                _ => laws,
+            };
             (item.to_owned(), value.abs(), limit)
         });
         let bodies = self.bodies.iter().flat_map(|body| {

@@ -15,18 +15,24 @@ use crate::solved::Solved;
 const FINER: f64 = 1e-2;
 const FINEST: f64 = 1e-15;
 
-/// Judges an answer; `again` solves on from one to other settings.
+/// Rows of B nearer to each other than this ask for gaps that are so much closer.
+const NEAR: f64 = 1e-3;
+
+/// Judges an answer; `distance` is that of the rows of B from each other: displacements are known to what gaps are
+/// known to, divided by it. `again` solves on from one to other settings.
 ///
 /// # Errors
 /// Those of `again`.
 pub(crate) fn judge(
     mut best: Solved,
     settings: &Settings,
+    distance: f64,
     mut again: impl FnMut(&Settings, &Solved) -> Result<Solved, Unsolved>,
 ) -> Result<Solved, Unsolved> {
+    let sharpness = if distance < NEAR { distance } else { 1.0 };
     let mut finer = settings.clone();
     while best.dual.status == Status::Converged {
-        let Some(failure) = best.certificate.failure(settings) else {
+        let Some(failure) = best.certificate.failure(settings, sharpness) else {
             return Ok(best);
         };
         finer.tolerance *= FINER;
@@ -43,7 +49,10 @@ pub(crate) fn judge(
             next => next?,
         };
         next.dual.follow(&best.dual);
-        match (next.dual.status, next.certificate.failure(settings)) {
+        match (
+            next.dual.status,
+            next.certificate.failure(settings, sharpness),
+        ) {
             // A tolerance that rounding did not allow has nevertheless led to an answer that passes.
             (Status::Stagnated | Status::IterationLimit, None) => {
                 next.dual.status = Status::Converged;
@@ -58,6 +67,17 @@ pub(crate) fn judge(
                 return Ok(failed(best, failure));
             }
         }
+    }
+    let unsettled = matches!(
+        best.dual.status,
+        Status::Stagnated | Status::IterationLimit | Status::Diverged
+    );
+    // Not for want of iterations.
+    if sharpness < 1.0
+        && unsettled
+        && let Some(failure) = best.certificate.failure(settings, sharpness)
+    {
+        return Ok(failed(best, failure));
     }
     Ok(best)
 }

@@ -12,6 +12,9 @@ const ROUNDING: f64 = 1e-9;
 /// A body on which less than this part of the forces on the others acts is measured by that part.
 const LEAST_SHARE: f64 = 1e-4;
 
+/// A bound that is this many times the largest force is never reached.
+const NEVER_REACHED: f64 = 1e3;
+
 /// What the bodies say: energies and the residual of equilibrium.
 #[derive(Debug)]
 pub(crate) struct Elastic {
@@ -178,9 +181,9 @@ impl Interface {
             };
             sum.contact_work += dot(&force, &slip);
             sum.cone = sum.cone.max(Ellipse(bounds).excess(force));
-            // A bound far above every force that acts ("never slips") is as good as one that is just not reached: a
-            // slip of rounding would count by it, and it dissipates nothing.
-            let ceiling = sum.largest_force.max(norm(&force));
+            // A bound far above every force that acts ("never slips") is as good as a lower one that is not reached
+            // either: a slip of rounding would count by it, and it dissipates nothing.
+            let ceiling = NEVER_REACHED * sum.largest_force.max(norm(&force));
             let ellipse = Ellipse(bounds.map(|bound| bound.min(ceiling)));
             let work = ellipse.support(slip);
             let dissipated = dot(&force, &slip);

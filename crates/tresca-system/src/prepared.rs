@@ -31,6 +31,8 @@ pub struct Prepared {
     times: Times,
     /// What K is measured in.
     stiffness_unit: f64,
+    /// As in [`Parts`].
+    distance_of_rows: f64,
 }
 
 /// What the loads would do without contact: u⁰ = K⁺f.
@@ -59,6 +61,9 @@ pub struct Parts<'a> {
     pub patches: Vec<Vec<usize>>,
     /// The unit of the stiffness that the bodies come in, a power of two.
     pub stiffness_unit: f64,
+    /// The smallest distance of a row of B, at length 1, from the span of the others: rounding aside, rows that
+    /// depend on each other do not count.
+    pub distance_of_rows: f64,
     /// How A is applied.
     pub engine: EngineChoice,
     /// Free and held dofs.
@@ -98,6 +103,7 @@ impl Prepared {
             dual,
             description,
             stiffness_unit: parts.stiffness_unit,
+            distance_of_rows: parts.distance_of_rows,
             times: Times {
                 factorization: times.factorization + begin.elapsed().as_secs_f64(),
                 ..times
@@ -184,7 +190,7 @@ impl Prepared {
         });
         let solution = run::solve(&mut self.dual, start, settings, times, progress)?;
         let solved = self.timed_recovery(case, solution, free, times);
-        judge::judge(solved, settings, |finer, last| {
+        judge::judge(solved, settings, self.distance_of_rows, |finer, last| {
             let from = last.start();
             let start = tresca_qcqp::Start {
                 lambda: &from.mu,

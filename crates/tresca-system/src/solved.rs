@@ -118,7 +118,7 @@ impl Solved {
     /// Judges the answer once more, by those who have added to its certificate.
     pub fn judge_again(&mut self, settings: &Settings) {
         if self.dual.status == Status::Converged
-            && let Some(failure) = self.certificate.failure(settings)
+            && let Some(failure) = self.certificate.failure(settings, 1.0)
         {
             self.dual.status = Status::Inaccurate;
             self.failure = Some(failure);

@@ -85,6 +85,8 @@ pub fn prepare<'m>(
         patches: assembled.patches(),
         engine,
         stiffness_unit,
+        // Rows of a model stand on nodes of their own, or repeat exactly.
+        distance_of_rows: 1.0,
         dofs: assembled.dof_count(),
         held_pairs: assembled.contacts.iter().map(|data| data.held_pairs).sum(),
     };

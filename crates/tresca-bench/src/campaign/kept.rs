@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::table::median;
+use super::median::median;
 use super::verdict::Verdict;
 use super::{Judged, Ticket};
 

@@ -12,6 +12,7 @@ mod dense;
 pub mod draw;
 pub mod kept;
 pub mod kinds;
+mod median;
 pub mod oracle;
 pub mod problem;
 pub mod random;

@@ -284,6 +284,8 @@ pub struct Drawn {
     pub settings: Settings,
     /// The method has no guarantee to converge here: that it says so is no fault.
     pub may_give_up: bool,
+    /// Rounding may leave the answer undetermined: that it is said to be inaccurate is no fault.
+    pub ill_determined: bool,
 }
 
 impl Drawn {
@@ -296,6 +298,7 @@ impl Drawn {
             form: Form::Primal,
             settings: Settings::default(),
             may_give_up: false,
+            ill_determined: false,
         }
     }
 

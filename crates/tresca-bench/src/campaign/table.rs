@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::Judged;
 use super::kept::Kept;
 use super::kinds::KINDS;
+use super::median::median;
 use super::verdict::Verdict;
 
 /// A line of the table: a kind, or all.
@@ -37,14 +38,6 @@ pub struct Table {
 
 /// Share of undecided answers that is too much.
 const UNDECIDED: f64 = 1e-3;
-
-/// The median; 0 of nothing. Ascending.
-pub fn median(sorted: &[usize]) -> f64 {
-    match sorted.len() {
-        0 => 0.0,
-        n => 0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]) as f64,
-    }
-}
 
 impl Line {
     fn new(name: &str) -> Self {

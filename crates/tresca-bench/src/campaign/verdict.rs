@@ -84,7 +84,7 @@ pub fn judge(drawn: &Drawn, answer: &Answer) -> Judgement {
     };
     let mut swept = None;
     let solved = || *swept.insert(sweep(&drawn.truth).is_some());
-    let verdict = verdict(&truth, answer, measured.as_ref(), drawn.may_give_up, solved);
+    let verdict = verdict(&truth, answer, measured.as_ref(), drawn, solved);
     let mut oracle = truth.name();
     match swept {
         Some(true) => oracle += ", Gauss–Seidel has a solution",
@@ -143,7 +143,7 @@ pub fn verdict(
     truth: &Truth,
     answer: &Answer,
     off: Option<&Off>,
-    may_give_up: bool,
+    drawn: &Drawn,
     solved: impl FnOnce() -> bool,
 ) -> Verdict {
     let status = match &answer.end {
@@ -186,7 +186,8 @@ pub fn verdict(
             }
             Verdict::Wrong
         }
-        _ if may_give_up => Verdict::GaveUp,
+        (Some(Status::Inaccurate), _) if drawn.ill_determined => Verdict::Right,
+        _ if drawn.may_give_up => Verdict::GaveUp,
         (_, Truth::Conditions) if !solved() => Verdict::Neither,
         _ => Verdict::Undecided,
     }
@@ -432,6 +433,9 @@ mod tests {
         drawn.may_give_up = true;
         let gave_up = judge(&drawn, &says(Status::Diverged, 0.0, 0.0)).verdict;
         assert_eq!(gave_up, Verdict::GaveUp);
+        drawn.ill_determined = true;
+        let said = judge(&drawn, &says(Status::Inaccurate, 0.0, 0.0)).verdict;
+        assert_eq!(said, Verdict::Right);
         let panicked = Answer {
             end: End::Panicked,
             ..says(Status::Converged, 1.0, 1.0)
@@ -522,7 +526,7 @@ mod tests {
             ..says([0.0; 2], [0.0; 2])
         };
         assert_eq!(judge(&mass, &cycles).verdict, Verdict::Undecided);
-        let neither = verdict(&Truth::Conditions, &cycles, None, false, || false);
+        let neither = verdict(&Truth::Conditions, &cycles, None, &wall(), || false);
         assert_eq!(neither, Verdict::Neither);
     }
 }

@@ -173,7 +173,7 @@ pub fn solve_dual(
     let clock = Instant::now();
     let solved = recover(&mut problem, &layout, &slidings, &rhs, solution);
     times.recovery += clock.elapsed().as_secs_f64();
-    let mut solved = judge::judge(solved, settings, |finer, last| {
+    let mut solved = judge::judge(solved, settings, 1.0, |finer, last| {
         let start = Start::from(&last.dual.lambda[..]);
         let solution = run::solve(&mut problem, Some(start), finer, &mut times, progress)?;
         Ok(recover(&mut problem, &layout, &slidings, &rhs, solution))

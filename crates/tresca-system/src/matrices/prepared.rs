@@ -81,9 +81,10 @@ pub fn prepare(
         )?;
     }
     let dependent = rank::dependent_rows(&b.clone().with_rows_scaled(layout.weights()));
-    let singular = !dependent.is_empty();
+    let singular = !dependent.rows.is_empty();
     if singular {
         let rows = dependent
+            .rows
             .into_iter()
             .map(|row| check::named(row, m))
             .collect();
@@ -134,6 +135,7 @@ pub fn prepare(
         patches,
         engine,
         stiffness_unit: stiffness.unit,
+        distance_of_rows: dependent.distance,
         dofs,
         held_pairs: mobility.iter().filter(immobile).count(),
     };

@@ -11,11 +11,23 @@ const DEPENDENT: f64 = 1e-12;
 /// Up to this many rows the natural order is kept: of rows that depend on each other, the last is named.
 const NATURAL_UP_TO: usize = 600;
 
+/// How far the rows of B are from depending on each other.
+#[derive(Debug)]
+pub(super) struct Dependence {
+    /// Rows, ascending, that are in the span of others, or so near that it makes no difference to A.
+    pub rows: Vec<usize>,
+    /// The smallest distance of a row of unit length from the span of the others that is no rounding; at most 1.
+    pub distance: f64,
+}
+
+/// Squared distances below this are rounding.
+const ROUNDING: f64 = 1e-15;
+
 /// The rows, ascending, without which the others have full rank; rows that are zero are left aside.
 ///
 /// By a sparse Cholesky factorisation of BBᵀ (rows scaled to length 1) that takes a row out as soon as
 /// its pivot vanishes.
-pub(super) fn dependent_rows(b: &Matrix) -> Vec<usize> {
+pub(super) fn dependent_rows(b: &Matrix) -> Dependence {
     let lengths: Vec<f64> = (0..b.rows())
         .map(|i| b.row(i).map(|(_, value)| value * value).sum::<f64>().sqrt())
         .collect();
@@ -29,10 +41,10 @@ pub(super) fn dependent_rows(b: &Matrix) -> Vec<usize> {
             |ordering| ordering.to_original().to_vec(),
         )
     };
-    let mut dependent = eliminate(&gram, &order);
-    dependent.retain(|&row| lengths[row] > 0.0);
-    dependent.sort_unstable();
-    dependent
+    let (mut rows, distance) = eliminate(&gram, &order);
+    rows.retain(|&row| lengths[row] > 0.0);
+    rows.sort_unstable();
+    Dependence { rows, distance }
 }
 
 /// BBᵀ with unit diagonal (zero for rows that are zero), by rows, ascending.
@@ -88,8 +100,9 @@ fn symmetric(gram: &[Vec<(usize, f64)>]) -> SymmetricMatrix {
     SymmetricMatrix::from_lower(SparseColMat::new(pattern, values))
 }
 
-/// Up-looking Cholesky in the given order; returns the rows whose pivot vanishes.
-fn eliminate(gram: &[Vec<(usize, f64)>], order: &[usize]) -> Vec<usize> {
+/// Up-looking Cholesky in the given order; returns the rows whose pivot vanishes, and the root of the smallest pivot
+/// that is no rounding.
+fn eliminate(gram: &[Vec<(usize, f64)>], order: &[usize]) -> (Vec<usize>, f64) {
     let count = order.len();
     let mut position = vec![0; count];
     order
@@ -104,6 +117,7 @@ fn eliminate(gram: &[Vec<(usize, f64)>], order: &[usize]) -> Vec<usize> {
     let mut diagonal = vec![0.0; count];
     let mut x = vec![0.0; count];
     let mut dependent = Vec::new();
+    let mut smallest = 1.0_f64;
     for k in 0..count {
         visited[k] = k;
         let mut pivot = 0.0;
@@ -151,6 +165,9 @@ fn eliminate(gram: &[Vec<(usize, f64)>], order: &[usize]) -> Vec<usize> {
         }
         // Columns hold rows up to k only, so that nothing of x is left but at k.
         x[k] = 0.0;
+        if pivot > ROUNDING {
+            smallest = smallest.min(pivot);
+        }
         if pivot > DEPENDENT {
             diagonal[k] = pivot.sqrt();
         } else {
@@ -158,7 +175,7 @@ fn eliminate(gram: &[Vec<(usize, f64)>], order: &[usize]) -> Vec<usize> {
             dependent.push(order[k]);
         }
     }
-    dependent
+    (dependent, smallest.sqrt())
 }
 
 #[cfg(test)]
@@ -182,9 +199,15 @@ mod tests {
             &[0.0, 0.0, 0.0, 1e-3],
         ]);
         // The span of the first three is met by [3 0 0 0]: x1 = (r0 − (r2 − r1/2)).
-        assert_eq!(dependent_rows(&b), [3, 4]);
+        assert_eq!(dependent_rows(&b).rows, [3, 4]);
         let independent = dense(&[&[1.0, 1.0, 0.0], &[1.0, 1.0, 1e-4], &[0.0, 1.0, 1.0]]);
-        assert_eq!(dependent_rows(&independent), [0_usize; 0]);
+        let found = dependent_rows(&independent);
+        assert_eq!(found.rows, [0_usize; 0]);
+        // The first two rows differ by an angle of about 1e-4/√2.
+        assert!(
+            (found.distance / (1e-4 / 2_f64.sqrt()) - 1.0).abs() < 0.3,
+            "{found:?}"
+        );
     }
 
     #[test]
@@ -200,8 +223,8 @@ mod tests {
             value.extend([1.0, -1.0]);
         }
         let ring = Matrix::from_triplets((count, count), &row, &column, &value).unwrap();
-        assert_eq!(dependent_rows(&ring).len(), 1);
+        assert_eq!(dependent_rows(&ring).rows.len(), 1);
         let chain = ring.rows_between(0, count - 1);
-        assert!(dependent_rows(&chain).is_empty());
+        assert!(dependent_rows(&chain).rows.is_empty());
     }
 }

@@ -138,7 +138,10 @@ pub fn near_dependent(random: &mut Random) -> Drawn {
         let law = law(random, family, tangents);
         push(&mut problem, normal, tangential, gap, law);
     }
-    Drawn::plain(problem)
+    Drawn {
+        ill_determined: true,
+        ..Drawn::plain(problem)
+    }
 }
 
 pub fn near_dependent_ties(random: &mut Random) -> Drawn {
@@ -156,7 +159,10 @@ pub fn near_dependent_ties(random: &mut Random) -> Drawn {
     }
     problem.gap = problem.normal.iter().map(|row| dot(row, &u)).collect();
     problem.origin = problem.tangential.iter().map(|row| dot(row, &u)).collect();
-    Drawn::plain(problem)
+    Drawn {
+        ill_determined: true,
+        ..Drawn::plain(problem)
+    }
 }
 
 pub fn dependent(random: &mut Random) -> Drawn {
