@@ -1,6 +1,7 @@
 //! Loads that no contact can balance, and the proof of it.
 
 use super::*;
+use tresca_qcqp::CoulombBound;
 
 #[test]
 fn loads_that_nothing_holds_are_proved_so() {
@@ -42,10 +43,25 @@ fn loads_that_nothing_holds_are_proved_so() {
 
 /// eᵀv > sup over Λ of λᵀGᵀv, computed here.
 fn assert_proof(floating: &Floating, solution: &DualSolution) {
+    assert_proof_over(floating, &[], solution);
+}
+
+/// The same where the bounds of a law follow their normal forces: over the friction cones, or, since a proof
+/// that slides is preferred, over the bounds that belong to the λ handed out.
+pub(super) fn assert_proof_over(
+    floating: &Floating,
+    law: &[CoulombBound],
+    solution: &DualSolution,
+) {
     let Equality { rows, rhs, .. } = &floating.equality;
     let motion = solution.motion.as_ref().expect("a proof");
     assert!((norm(motion) - 1.0).abs() <= 1e-12);
-    assert!(floating.plain.set.contains(&solution.lambda));
+    let mut set = floating.plain.set.clone();
+    for own in law {
+        set.set_bound(own.block, own.coefficient * solution.lambda[own.normal])
+            .unwrap();
+    }
+    assert!(set.contains(&solution.lambda));
     let power = dot(rhs, motion);
     assert!(power > 0.0);
     let driven: Vec<f64> = (0..floating.plain.dim())
@@ -53,7 +69,7 @@ fn assert_proof(floating: &Floating, solution: &DualSolution) {
         .collect();
     let size = norm(&driven).max(1.0);
     let mut held = 0.0;
-    for block in floating.plain.set.blocks() {
+    for block in set.blocks() {
         let own = norm(&driven[block.range()]);
         match block.set {
             BlockSet::Line(_) => assert!(own <= 1e-8 * size),
