@@ -63,6 +63,9 @@ pub fn solve(
     } = problem;
     let memory = OperatorMemory::of(memory, &mut **operator)?;
     journal.n_a_setup = operator.tally().count - before.count;
+    if let Some(balance) = balance {
+        balance.drop_rounding(memory.spectrum.sigma);
+    }
     let mut session = Session {
         operator: &mut **operator,
         memory,

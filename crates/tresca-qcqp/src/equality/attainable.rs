@@ -6,7 +6,7 @@ use crate::sets::convex_set::ConvexSet;
 use crate::sets::product::ProductSet;
 
 /// Bounds from here on mean that nothing slips.
-const UNBOUNDED: f64 = 1e290;
+pub(super) const UNBOUNDED: f64 = 1e290;
 
 /// Λ, or what takes its place while the slip bounds are not known: with Coulomb's law every
 /// friction block and its normal force make the convex set ‖t‖ ≤ min(F n, limit).
@@ -14,7 +14,9 @@ pub(crate) struct AttainableForces {
     pieces: Vec<Piece>,
 }
 
-enum Piece {
+/// One factor of the set.
+pub(super) enum Piece {
+    /// A block of Λ.
     Block(Block),
     /// A normal force and the friction that it allows.
     Cone {
@@ -69,6 +71,11 @@ impl AttainableForces {
         Self { pieces }
     }
 
+    /// Its factors.
+    pub(super) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
     /// y ← the nearest point of the set.
     pub fn project(&self, y: &mut [f64]) {
         for piece in &self.pieces {
@@ -108,14 +115,13 @@ impl AttainableForces {
         }
     }
 
-    /// sup wᵀλ over the set, where `slack(i)` is what w_i may be wrong by: ∞ when w drives a
-    /// force without limit by more than that.
-    pub fn support(&self, w: &[f64], slack: impl Fn(usize) -> f64) -> f64 {
+    /// sup wᵀλ over the set, where a force without limit that w_i > 0 drives counts `unlimited(i, w_i)`.
+    pub fn support(&self, w: &[f64], unlimited: impl Fn(usize, f64) -> f64) -> f64 {
         let unlimited = |i: usize, value: f64| {
-            if value <= slack(i) {
-                0.0
+            if value > 0.0 {
+                unlimited(i, value)
             } else {
-                f64::INFINITY
+                0.0
             }
         };
         let of_piece = |piece: &Piece| match *piece {
@@ -142,12 +148,10 @@ impl AttainableForces {
                 let along = coefficient * tangential + w[normal];
                 if limit.is_infinite() {
                     unlimited(normal, along)
-                } else if w[normal] > slack(normal) {
-                    f64::INFINITY
                 } else if coefficient == 0.0 {
-                    0.0
+                    unlimited(normal, w[normal])
                 } else {
-                    limit * along.max(0.0) / coefficient
+                    limit * along.max(0.0) / coefficient + unlimited(normal, w[normal])
                 }
             }
         };

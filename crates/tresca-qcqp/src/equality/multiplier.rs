@@ -25,6 +25,8 @@ const RESPONSE_ACCURACY: f64 = 3e-2;
 const SLOW: f64 = 0.3;
 const CARE: f64 = 0.1;
 const MOST_CARE: f64 = 1e-4;
+/// Motions so many times what the loads do to the bodies themselves are no answer without a second look.
+const FAR: f64 = 1e6;
 
 /// The problem to solve: min q over { λ ∈ Λ : G̃λ = ẽ }.
 #[derive(Clone, Copy)]
@@ -44,11 +46,42 @@ pub(crate) fn solve(
     start: Option<&[f64]>,
     multiplier: &[f64],
 ) -> Ending {
-    let Balanced { balance, law, .. } = *problem;
-    let impossible = without_equilibrium(session, problem.rhs, problem.set, law, balance);
-    if let Some(ending) = impossible {
+    let Balanced {
+        rhs,
+        set,
+        law,
+        balance,
+        ..
+    } = *problem;
+    if let Some(ending) = without_equilibrium(session, rhs, set, law, balance) {
         return ending;
     }
+    let ending = ascend(session, problem, start, multiplier);
+    if doubtful(balance, &ending) {
+        let anew =
+            ending_without_equilibrium(session, rhs, set, law, balance, equilibrium::find_anew);
+        return anew.unwrap_or(ending);
+    }
+    ending
+}
+
+/// Whether an end makes one ask once more if there is an equilibrium.
+fn doubtful(balance: &Balance, ending: &Ending) -> bool {
+    match ending.status {
+        Status::IterationLimit | Status::Stagnated | Status::Diverged => true,
+        Status::Converged => balance.spread(&ending.multiplier) > FAR * ending.reference,
+        _ => false,
+    }
+}
+
+/// The ascent to the multiplier.
+fn ascend(
+    session: &mut Session,
+    problem: &Balanced,
+    start: Option<&[f64]>,
+    multiplier: &[f64],
+) -> Ending {
+    let Balanced { balance, law, .. } = *problem;
     let least_reference = balance.spread(&balance.load);
     let mut ascent = DualAscent::new();
     let mut set = problem.set.clone();
@@ -143,11 +176,23 @@ pub(crate) fn without_equilibrium(
     law: Option<&CoulombLaw>,
     balance: &Balance,
 ) -> Option<Ending> {
+    ending_without_equilibrium(session, rhs, set, law, balance, equilibrium::find)
+}
+
+/// The same, by the way that is given to look for an equilibrium.
+fn ending_without_equilibrium(
+    session: &mut Session,
+    rhs: &[f64],
+    set: &ProductSet,
+    law: Option<&CoulombLaw>,
+    balance: &Balance,
+    find: impl Fn(&Balance, &AttainableForces) -> Equilibrium,
+) -> Option<Ending> {
     let reach = AttainableForces::new(set, law);
     // Nearest with respect to the diagonal of S: a push along one motion is then answered by that
     // motion, where S itself, which knows where the grounding sits, would mix in others.
     let diagonal = balance.with_diagonal_metric();
-    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(&diagonal, &reach) else {
+    let Equilibrium::Impossible { motion, lambda } = find(&diagonal, &reach) else {
         return None;
     };
     let mut motion = motion;

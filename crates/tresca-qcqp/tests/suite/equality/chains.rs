@@ -4,6 +4,7 @@
 use super::no_equilibrium::assert_proof_over;
 use super::*;
 use crate::common::Plain;
+use crate::common::problems::normal;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 use rand::RngExt;
@@ -62,7 +63,7 @@ fn chains(friction: Friction, seed: u64) -> Option<Chains> {
     if held {
         stiffness[(0, 0)] += 1.0;
     }
-    let mut row = |rng: &mut StdRng| {
+    let row = |rng: &mut StdRng| {
         let mut row = vec![0.0; n];
         let (a, b) = (rng.random_range(0..n), rng.random_range(0..n));
         row[a] += 1.0;
@@ -93,7 +94,12 @@ fn chains(friction: Friction, seed: u64) -> Option<Chains> {
             let spring = 10_f64.powf(rng.random_range(-1.0..1.0));
             grounded[(at, at)] += spring;
             let resultant = |row: &[f64]| row[at..at + size].iter().sum::<f64>();
-            equality_rows.push(rows.iter().map(|row| resultant(row)).collect::<Vec<f64>>());
+            // Rigid motions that were found from matrices are theirs to rounding only.
+            equality_rows.push(
+                rows.iter()
+                    .map(|row| resultant(row) + 1e-16 * normal(rng))
+                    .collect::<Vec<f64>>(),
+            );
             rhs.push(resultant(&load));
             metric.push(1.0 / spring);
         }
