@@ -115,11 +115,17 @@ impl AttainableForces {
         }
     }
 
-    /// sup wᵀλ over the set, where a force without limit that w_i > 0 drives counts `unlimited(i, w_i)`.
-    pub fn support(&self, w: &[f64], unlimited: impl Fn(usize, f64) -> f64) -> f64 {
-        let unlimited = |i: usize, value: f64| {
-            if value > 0.0 {
-                unlimited(i, value)
+    /// sup wᵀλ over the set, where a force without limit that is driven with w > 0 counts
+    /// `unlimited(w, length)`: the length is that of its column, given the lengths of all `columns`.
+    pub fn support(
+        &self,
+        w: &[f64],
+        columns: &[f64],
+        unlimited: impl Fn(f64, f64) -> f64,
+    ) -> f64 {
+        let unlimited = |driven: f64, length: f64| {
+            if driven > 0.0 {
+                unlimited(driven, length)
             } else {
                 0.0
             }
@@ -127,13 +133,14 @@ impl AttainableForces {
         let of_piece = |piece: &Piece| match *piece {
             Piece::Block(block) => {
                 let size = length(&w[block.range()]);
+                let column = length(&columns[block.range()]);
                 match block.set {
-                    BlockSet::HalfLine(_) => unlimited(block.start, w[block.start]),
-                    BlockSet::Line(_) => unlimited(block.start, size),
+                    BlockSet::HalfLine(_) => unlimited(w[block.start], column),
+                    BlockSet::Line(_) => unlimited(size, column),
                     BlockSet::Point(_) => 0.0,
                     BlockSet::Interval(_) | BlockSet::Disc(_) => match block.set.bound() {
                         Some(bound) if bound < UNBOUNDED => bound * size,
-                        _ => unlimited(block.start, size),
+                        _ => unlimited(size, column),
                     },
                 }
             }
@@ -143,15 +150,16 @@ impl AttainableForces {
                 coefficient,
                 limit,
             } => {
-                let tangential = length(&w[friction.range()]);
+                let alone = unlimited(w[normal], columns[normal]);
                 // Per unit of friction: n = t/F, or n free to grow where the cap holds.
-                let along = coefficient * tangential + w[normal];
+                let along = coefficient * length(&w[friction.range()]) + w[normal];
+                let column = coefficient * length(&columns[friction.range()]) + columns[normal];
                 if limit.is_infinite() {
-                    unlimited(normal, along)
+                    unlimited(along, column)
                 } else if coefficient == 0.0 {
-                    unlimited(normal, w[normal])
+                    alone
                 } else {
-                    limit * along.max(0.0) / coefficient + unlimited(normal, w[normal])
+                    limit * along.max(0.0) / coefficient + alone
                 }
             }
         };

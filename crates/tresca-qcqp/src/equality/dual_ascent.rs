@@ -17,7 +17,8 @@ use tresca_la::vector::{axpy, dot, norm};
 
 /// ε of the first step.
 const FIRST: f64 = 1e-3;
-/// ε is divided by this after a full step that was taken, down to [`LEAST`].
+/// ε is divided by this after a full step that was taken, down to [`LEAST`]; after a shortened one it is divided
+/// by the length, up to 1.
 const EASING: f64 = 10.0;
 const LEAST: f64 = 1e-13;
 /// Part of the slope that d must gain (Armijo).
@@ -83,8 +84,13 @@ impl DualAscent {
             return self.leave(station, compliance());
         };
         if self.gains(&base, &direction, &station) {
-            if !self.was_shortened() {
-                self.epsilon = f64::max(self.epsilon / EASING, LEAST);
+            match self.trial {
+                // As short a step would have come from so much more ε where H vanishes.
+                Trial::Step {
+                    length,
+                    shortenings,
+                } if shortenings > 0 => self.stiffen(length),
+                _ => self.epsilon = f64::max(self.epsilon / EASING, LEAST),
             }
             return self.leave(station, compliance());
         }
@@ -129,6 +135,7 @@ impl DualAscent {
         shortenings: usize,
     ) -> (Vec<f64>, Vec<f64>) {
         if shortenings >= MAX_SHORTENINGS {
+            self.stiffen(length);
             self.trial = Trial::Careful;
             let mut beta = base.beta.clone();
             axpy(1.0, &base.shortfall, &mut beta);
@@ -145,8 +152,9 @@ impl DualAscent {
         along(base, direction, factor * length)
     }
 
-    fn was_shortened(&self) -> bool {
-        matches!(self.trial, Trial::Step { shortenings, .. } if shortenings > 0)
+    /// More ε, after a step of which only this length was of use.
+    fn stiffen(&mut self, length: f64) {
+        self.epsilon = f64::min(self.epsilon / length, 1.0);
     }
 
     /// Whether d has risen enough at the station, or the residual has fallen.

@@ -61,6 +61,13 @@ pub(super) fn assert_proof_over(
         set.set_bound(own.block, own.coefficient * solution.lambda[own.normal])
             .unwrap();
     }
+    if !set.contains(&solution.lambda) {
+        for own in law {
+            let b = set.blocks()[own.block];
+            println!("n {:e} g {:e} t {:e}", solution.lambda[own.normal], b.set.bound().unwrap(), norm(&solution.lambda[b.range()]));
+        }
+        println!("{:?}", floating.equality);
+    }
     assert!(set.contains(&solution.lambda));
     let power = dot(rhs, motion);
     assert!(power > 0.0);
