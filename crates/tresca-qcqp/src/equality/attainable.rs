@@ -117,12 +117,7 @@ impl AttainableForces {
 
     /// sup wᵀλ over the set, where a force without limit that is driven with w > 0 counts
     /// `unlimited(w, length)`: the length is that of its column, given the lengths of all `columns`.
-    pub fn support(
-        &self,
-        w: &[f64],
-        columns: &[f64],
-        unlimited: impl Fn(f64, f64) -> f64,
-    ) -> f64 {
+    pub fn support(&self, w: &[f64], columns: &[f64], unlimited: impl Fn(f64, f64) -> f64) -> f64 {
         let unlimited = |driven: f64, length: f64| {
             if driven > 0.0 {
                 unlimited(driven, length)

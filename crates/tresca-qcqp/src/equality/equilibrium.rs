@@ -170,13 +170,15 @@ impl<'a> Statics<'a> {
         let mut driven = vec![0.0; self.columns.len()];
         self.balance.add_transposed(v, &mut driven);
         let size = norm(v);
-        let held = self.reach.support(&driven, &self.columns, |driven, column| {
-            if driven <= SLACK * column * size {
-                driven * MOST_FORCE * self.load / column
-            } else {
-                f64::INFINITY
-            }
-        });
+        let held = self
+            .reach
+            .support(&driven, &self.columns, |driven, column| {
+                if driven <= SLACK * column * size {
+                    driven * MOST_FORCE * self.load / column
+                } else {
+                    f64::INFINITY
+                }
+            });
         dot(&self.balance.load, v) - held > LEAST_POWER * self.load * size
     }
 }
