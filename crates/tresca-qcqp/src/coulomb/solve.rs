@@ -37,6 +37,7 @@ fn gave_up(status: Status) -> bool {
         status,
         Status::IterationLimit
             | Status::Stagnated
+            | Status::Diverged
             | Status::CoulombCycles
             | Status::CoulombDiverges
     )

@@ -38,6 +38,7 @@ const SOFTEST_AGAIN: f64 = 1e-3;
 const MAX_PROXIMAL_STEPS_AGAIN: usize = 12;
 
 /// What statics say.
+#[derive(Debug)]
 pub(crate) enum Equilibrium {
     /// Some λ ∈ Λ balances the load.
     Possible,

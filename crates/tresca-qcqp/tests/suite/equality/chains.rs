@@ -211,10 +211,11 @@ fn run(friction: Friction, seeds: std::ops::Range<u64>) -> Tally {
         }
         let solution = solve(&mut problem, &Settings::default(), None, &mut Silent).unwrap();
         let what = format!(
-            "{friction:?} {seed}: {} at load factor {factor:.9}, α = {:.1e}, {} outer, {} iterations, residuals {:.1e} {:.1e}",
+            "{friction:?} {seed}: {} at load factor {factor:.9}, α = {:.1e}, {} outer, {} ascents, {} iterations, residuals {:.1e} {:.1e}",
             solution.status,
             norm(&solution.multiplier),
             solution.figures.outer_iterations,
+            solution.records.last().map_or(0, |record| record.outer),
             solution.figures.iterations,
             solution.figures.relative_reduced_gradient,
             solution.figures.equality_residual,
@@ -272,4 +273,11 @@ fn cones_that_cannot_hold_a_chain_are_proved_so() {
         println!("{tally:?}");
         assert!(tally.wrong.is_empty(), "{tally:#?}");
     }
+}
+
+#[test]
+fn debug_one() {
+    println!("{:?}", run(Friction::PlanarCones, 107..108));
+    println!("----------------------------");
+    println!("{:?}", run(Friction::PlanarCones, 177..178));
 }
