@@ -66,6 +66,9 @@ pub fn solve(
     let memory = OperatorMemory::of(memory, &mut **operator)?;
     let singular = *singular || memory.singular;
     journal.n_a_setup = operator.tally().count - before.count;
+    if let Some(balance) = balance {
+        balance.drop_rounding(memory.spectrum.sigma);
+    }
     let mut session = Session {
         operator: &mut **operator,
         memory,

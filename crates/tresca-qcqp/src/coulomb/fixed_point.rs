@@ -53,6 +53,12 @@ pub(super) fn solve(session: &mut Session, problem: &Frictional, start: Option<S
             }
             continue;
         }
+        if ending.status == Status::NoEquilibrium {
+            // That these bounds cannot hold the load proves nothing for others: the friction cones can, as
+            // far as statics told before the first problem.
+            ending.status = Status::CoulombDiverges;
+            ending.motion = None;
+        }
         let bounds = law.bounds(&ending.point.lambda);
         ending.outer_residual = residual(law, &ending, previous.as_ref());
         if !ending.status.is_converged() {

@@ -6,7 +6,7 @@ use crate::sets::convex_set::ConvexSet;
 use crate::sets::product::ProductSet;
 
 /// Bounds from here on mean that nothing slips.
-const UNBOUNDED: f64 = 1e290;
+pub(super) const UNBOUNDED: f64 = 1e290;
 
 /// Λ, or what takes its place while the slip bounds are not known: with Coulomb's law every
 /// friction block and its normal force make the convex set ‖t‖ ≤ min(F n, limit).
@@ -14,7 +14,9 @@ pub(crate) struct AttainableForces {
     pieces: Vec<Piece>,
 }
 
-enum Piece {
+/// One factor of the set.
+pub(super) enum Piece {
+    /// A block of Λ.
     Block(Block),
     /// A normal force and the friction that it allows.
     Cone {
@@ -69,6 +71,11 @@ impl AttainableForces {
         Self { pieces }
     }
 
+    /// Its factors.
+    pub(super) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
     /// y ← the nearest point of the set.
     pub fn project(&self, y: &mut [f64]) {
         for piece in &self.pieces {
@@ -108,26 +115,27 @@ impl AttainableForces {
         }
     }
 
-    /// sup wᵀλ over the set, where `slack(i)` is what w_i may be wrong by: ∞ when w drives a
-    /// force without limit by more than that.
-    pub fn support(&self, w: &[f64], slack: impl Fn(usize) -> f64) -> f64 {
-        let unlimited = |i: usize, value: f64| {
-            if value <= slack(i) {
-                0.0
+    /// sup wᵀλ over the set, where a force without limit that is driven with w > 0 counts
+    /// `unlimited(w, length)`: the length is that of its column, given the lengths of all `columns`.
+    pub fn support(&self, w: &[f64], columns: &[f64], unlimited: impl Fn(f64, f64) -> f64) -> f64 {
+        let unlimited = |driven: f64, length: f64| {
+            if driven > 0.0 {
+                unlimited(driven, length)
             } else {
-                f64::INFINITY
+                0.0
             }
         };
         let of_piece = |piece: &Piece| match *piece {
             Piece::Block(block) => {
                 let size = length(&w[block.range()]);
+                let column = length(&columns[block.range()]);
                 match block.set {
-                    BlockSet::HalfLine(_) => unlimited(block.start, w[block.start]),
-                    BlockSet::Line(_) => unlimited(block.start, size),
+                    BlockSet::HalfLine(_) => unlimited(w[block.start], column),
+                    BlockSet::Line(_) => unlimited(size, column),
                     BlockSet::Origin(_) => 0.0,
                     BlockSet::Interval(_) | BlockSet::Disc(_) => match block.set.bound() {
                         Some(bound) if bound < UNBOUNDED => bound * size,
-                        _ => unlimited(block.start, size),
+                        _ => unlimited(size, column),
                     },
                 }
             }
@@ -137,17 +145,16 @@ impl AttainableForces {
                 coefficient,
                 limit,
             } => {
-                let tangential = length(&w[friction.range()]);
+                let alone = unlimited(w[normal], columns[normal]);
                 // Per unit of friction: n = t/F, or n free to grow where the cap holds.
-                let along = coefficient * tangential + w[normal];
+                let along = coefficient * length(&w[friction.range()]) + w[normal];
+                let column = coefficient * length(&columns[friction.range()]) + columns[normal];
                 if limit.is_infinite() {
-                    unlimited(normal, along)
-                } else if w[normal] > slack(normal) {
-                    f64::INFINITY
+                    unlimited(along, column)
                 } else if coefficient == 0.0 {
-                    0.0
+                    alone
                 } else {
-                    limit * along.max(0.0) / coefficient
+                    limit * along.max(0.0) / coefficient + alone
                 }
             }
         };

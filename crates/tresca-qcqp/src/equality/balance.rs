@@ -6,6 +6,9 @@ use faer::linalg::solvers::Llt;
 use faer::{Mat, Side};
 use tresca_la::vector::{axpy, dot, norm};
 
+/// An entry of G̃ beside √σmax that is rounding. It stands for 1e-24 of a compliance.
+const ROUNDING: f64 = 1e-12;
+
 /// Gλ = e, for a problem whose operator contains GᵀSG.
 #[derive(Clone, Debug)]
 pub struct Equality {
@@ -68,6 +71,14 @@ impl Balance {
         };
         balance.set_load(&equality.rhs)?;
         Ok(balance)
+    }
+
+    /// Takes for 0 what is rounding in G̃, for an A with this σmax: since A holds G̃ᵀG̃, its entries compare
+    /// with √σmax. A force without limit could otherwise balance a load by rounding alone.
+    pub fn drop_rounding(&mut self, sigma_max: f64) {
+        let least = ROUNDING * sigma_max.sqrt();
+        let entries = self.rows.iter_mut().flatten();
+        entries.filter(|g| g.abs() <= least).for_each(|g| *g = 0.0);
     }
 
     /// Another e.

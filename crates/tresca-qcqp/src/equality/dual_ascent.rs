@@ -17,17 +17,24 @@ use tresca_la::vector::{axpy, dot, norm};
 
 /// ε of the first step.
 const FIRST: f64 = 1e-3;
-/// ε is divided by this after a full step that was taken, down to [`LEAST`].
+/// ε is divided by this after a full step that was taken, down to [`LEAST`]; after a shortened one it is divided
+/// by the length, up to 1.
 const EASING: f64 = 10.0;
 const LEAST: f64 = 1e-13;
 /// Part of the slope that d must gain (Armijo).
 const SUFFICIENT: f64 = 1e-4;
-/// A residual smaller by this factor is a gain, whatever d says: near the end d is rounding.
+/// A residual smaller by this factor is a gain too, near the end, where d is rounding: as long as d does not
+/// fall by this part of the slope, and the part of itself that it may be wrong by. Else a body may slide past
+/// where it sticks, to and fro, ever further.
 const CONTRACTION: f64 = 0.7;
+const FALL: f64 = 0.05;
+const ROUNDING: f64 = 1e-10;
 /// Bounds of the factor by which a step is shortened, and how often, before the step of the method
-/// of multipliers is made.
+/// of multipliers is made. Where d is known a step that is short enough gains: it takes as many to find the
+/// narrow range in which a body sticks, far beyond which it slides to and fro.
 const SHORTENED: (f64, f64) = (0.05, 0.7);
-const MAX_SHORTENINGS: usize = 5;
+const MAX_SHORTENINGS: usize = 15;
+const MAX_SHORTENINGS_BLIND: usize = 5;
 
 /// A multiplier with what is known there.
 pub(super) struct Station {
@@ -38,6 +45,8 @@ pub(super) struct Station {
     pub shortfall: Vec<f64>,
     /// d(β), as good as the inner solve; `None` where there is no such function (bounds that follow λ).
     pub value: Option<f64>,
+    /// The size of the terms that d is the sum of.
+    pub size: f64,
 }
 
 /// A step, and what it is expected to do to λ.
@@ -83,8 +92,13 @@ impl DualAscent {
             return self.leave(station, compliance());
         };
         if self.gains(&base, &direction, &station) {
-            if !self.was_shortened() {
-                self.epsilon = f64::max(self.epsilon / EASING, LEAST);
+            match self.trial {
+                // As short a step would have come from so much more ε where H vanishes.
+                Trial::Step {
+                    length,
+                    shortenings,
+                } if shortenings > 0 => self.stiffen(length),
+                _ => self.epsilon = f64::max(self.epsilon / EASING, LEAST),
             }
             return self.leave(station, compliance());
         }
@@ -128,7 +142,13 @@ impl DualAscent {
         slope: f64,
         shortenings: usize,
     ) -> (Vec<f64>, Vec<f64>) {
-        if shortenings >= MAX_SHORTENINGS {
+        let most = if base.value.is_some() {
+            MAX_SHORTENINGS
+        } else {
+            MAX_SHORTENINGS_BLIND
+        };
+        if shortenings >= most {
+            self.stiffen(length);
             self.trial = Trial::Careful;
             let mut beta = base.beta.clone();
             axpy(1.0, &base.shortfall, &mut beta);
@@ -145,8 +165,9 @@ impl DualAscent {
         along(base, direction, factor * length)
     }
 
-    fn was_shortened(&self) -> bool {
-        matches!(self.trial, Trial::Step { shortenings, .. } if shortenings > 0)
+    /// More ε, after a step of which only this length was of use.
+    fn stiffen(&mut self, length: f64) {
+        self.epsilon = f64::min(self.epsilon / length, 1.0);
     }
 
     /// Whether d has risen enough at the station, or the residual has fallen.
@@ -155,12 +176,14 @@ impl DualAscent {
             Trial::Step { length, .. } => length,
             Trial::Excursion { .. } | Trial::Careful => 1.0,
         };
-        let wanted = SUFFICIENT * length * dot(&base.shortfall, &direction.beta);
-        let higher = match (station.value, base.value) {
-            (Some(value), Some(base)) => value >= base + wanted,
-            _ => false,
+        let slope = length * dot(&base.shortfall, &direction.beta);
+        let contracts = norm(&station.shortfall) < CONTRACTION * norm(&base.shortfall);
+        let (Some(value), Some(before)) = (station.value, base.value) else {
+            return contracts;
         };
-        higher || norm(&station.shortfall) < CONTRACTION * norm(&base.shortfall)
+        let doubt = FALL * slope + ROUNDING * f64::max(base.size, station.size);
+        let gain = value - before;
+        gain >= SUFFICIENT * slope || contracts && gain >= -doubt
     }
 }
 

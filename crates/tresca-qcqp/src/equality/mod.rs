@@ -7,6 +7,7 @@
 pub(crate) mod attainable;
 pub(crate) mod balance;
 mod compliance;
+mod conic;
 mod dual_ascent;
 mod equilibrium;
 pub(crate) mod first_guess;

@@ -26,6 +26,8 @@ const RESPONSE_ACCURACY: f64 = 3e-2;
 const SLOW: f64 = 0.3;
 const CARE: f64 = 0.1;
 const MOST_CARE: f64 = 1e-4;
+/// Motions so many times what the loads do to the bodies themselves are no answer without a second look.
+const FAR: f64 = 1e6;
 
 /// Weight of the residual that is measured in forces: a tenth of it is asked for.
 const FORCES: f64 = 0.1;
@@ -52,11 +54,62 @@ pub(crate) fn solve(
     start: Option<&[f64]>,
     multiplier: &[f64],
 ) -> Ending {
-    let Balanced { balance, law, .. } = *problem;
-    let impossible = without_equilibrium(session, problem.rhs, problem.set, law, balance);
-    if let Some(ending) = impossible {
+    let Balanced {
+        rhs,
+        set,
+        law,
+        balance,
+        ..
+    } = *problem;
+    if let Some(ending) = without_equilibrium(session, rhs, set, law, balance) {
         return ending;
     }
+    let ending = ascend(session, problem, start, multiplier);
+    if std::env::var("DBG").is_ok() && doubtful(balance, &ending) {
+        let reach = AttainableForces::new(set, law);
+        println!(
+            "DOUBTFUL {} {:?} law {}",
+            ending.status,
+            equilibrium::find(&balance.with_diagonal_metric(), &reach),
+            law.is_some()
+        );
+        println!("{:?} {:?} {:?}", balance.rows, balance.load, set.blocks());
+        for r in &session.journal.records {
+            println!(
+                "{} {} {:e} {:e}",
+                r.outer, r.iteration, r.relative_reduced_gradient, r.objective
+            );
+        }
+        println!(
+            "{:?} {:?} {:?}",
+            ending.point.lambda, ending.point.gradient, ending.multiplier
+        );
+    }
+    if doubtful(balance, &ending) {
+        let anew =
+            ending_without_equilibrium(session, rhs, set, law, balance, equilibrium::find_anew);
+        return anew.unwrap_or(ending);
+    }
+    ending
+}
+
+/// Whether an end makes one ask once more if there is an equilibrium.
+fn doubtful(balance: &Balance, ending: &Ending) -> bool {
+    match ending.status {
+        Status::IterationLimit | Status::Stagnated | Status::Diverged => true,
+        Status::Converged => balance.spread(&ending.multiplier) > FAR * ending.reference,
+        _ => false,
+    }
+}
+
+/// The ascent to the multiplier.
+fn ascend(
+    session: &mut Session,
+    problem: &Balanced,
+    start: Option<&[f64]>,
+    multiplier: &[f64],
+) -> Ending {
+    let Balanced { balance, law, .. } = *problem;
     let least_reference = balance.spread(&balance.load);
     let mut ascent = DualAscent::new();
     let mut set = problem.set.clone();
@@ -93,7 +146,9 @@ pub(crate) fn solve(
         let forces = balance.relative_shortfall(&shortfall, &ending.point.lambda);
         let moved = relative(balance.spread(&shortfall), ending.reference);
         let residual = moved.max(FORCES * forces);
-        let value = ending.objective + dot(&beta, &balance.load);
+        let driven = dot(&beta, &balance.load);
+        let value = ending.objective + driven;
+        let size = ending.objective.abs() + driven.abs();
         // q itself, and the multiplier that the caller may use.
         ending.objective += dot(&beta, &applied(balance, &ending.point));
         ending.multiplier = beta.clone();
@@ -131,6 +186,7 @@ pub(crate) fn solve(
             lambda: ending.point.lambda.clone(),
             shortfall,
             value: law.is_none().then_some(value),
+            size,
         };
         let (next, expected) = ascent.next(station, || {
             compliance(session, &ending, &balance.rows, care * RESPONSE_ACCURACY)
@@ -160,11 +216,23 @@ pub(crate) fn without_equilibrium(
     law: Option<&CoulombLaw>,
     balance: &Balance,
 ) -> Option<Ending> {
+    ending_without_equilibrium(session, rhs, set, law, balance, equilibrium::find)
+}
+
+/// The same, by the way that is given to look for an equilibrium.
+fn ending_without_equilibrium(
+    session: &mut Session,
+    rhs: &[f64],
+    set: &ProductSet,
+    law: Option<&CoulombLaw>,
+    balance: &Balance,
+    find: impl Fn(&Balance, &AttainableForces) -> Equilibrium,
+) -> Option<Ending> {
     let reach = AttainableForces::new(set, law);
     // Nearest with respect to the diagonal of S: a push along one motion is then answered by that
     // motion, where S itself, which knows where the grounding sits, would mix in others.
     let diagonal = balance.with_diagonal_metric();
-    let Equilibrium::Impossible { motion, lambda } = equilibrium::find(&diagonal, &reach) else {
+    let Equilibrium::Impossible { motion, lambda } = find(&diagonal, &reach) else {
         return None;
     };
     let mut motion = motion;

@@ -1,5 +1,6 @@
 //! Floating bodies: Gλ = e against Clarabel and against statics.
 
+mod chains;
 mod no_equilibrium;
 
 use crate::common::half_space::{Floating, HalfSpace};

@@ -1,6 +1,7 @@
 //! Loads that no contact can balance, and the proof of it.
 
 use super::*;
+use tresca_qcqp::CoulombBound;
 
 #[test]
 fn loads_that_nothing_holds_are_proved_so() {
@@ -42,24 +43,46 @@ fn loads_that_nothing_holds_are_proved_so() {
 
 /// eᵀv > sup over Λ of λᵀGᵀv, computed here.
 fn assert_proof(floating: &Floating, solution: &DualSolution) {
+    assert_proof_over(floating, &[], solution);
+}
+
+/// The same where the bounds of a law follow their normal forces: over the friction cones, or, since a motion
+/// that slides without opening is preferred, over the bounds that belong to the λ handed out.
+pub(super) fn assert_proof_over(
+    floating: &Floating,
+    law: &[CoulombBound],
+    solution: &DualSolution,
+) {
     let Equality { rows, rhs, .. } = &floating.equality;
     let motion = solution.motion.as_ref().expect("a proof");
     assert!((norm(motion) - 1.0).abs() <= 1e-12);
-    assert!(floating.plain.set.contains(&solution.lambda));
+    let mut set = floating.plain.set.clone();
+    for own in law {
+        let bound = own.coefficient * solution.lambda[own.normal];
+        set.set_bound(own.block, bound).unwrap();
+    }
+    assert!(set.contains(&solution.lambda));
     let power = dot(rhs, motion);
     assert!(power > 0.0);
-    let driven: Vec<f64> = (0..floating.plain.dim())
+    let driven: Vec<f64> = (0..set.dimension())
         .map(|i| rows.iter().zip(motion).map(|(row, v)| row[i] * v).sum())
         .collect();
-    let size = norm(&driven).max(1.0);
-    let mut held = 0.0;
-    for block in floating.plain.set.blocks() {
+    let nothing = 1e-8 * norm(&driven).max(1.0);
+    let (mut held, mut held_by_cones) = (0.0, 0.0);
+    for (number, block) in set.blocks().iter().enumerate() {
         let own = norm(&driven[block.range()]);
         match block.set {
-            BlockSet::Line(_) => assert!(own <= 1e-8 * size),
-            BlockSet::HalfLine(_) => assert!(driven[block.start] <= 1e-8 * size),
+            BlockSet::Line(_) => assert!(own <= nothing),
+            BlockSet::HalfLine(_) => assert!(driven[block.start] <= nothing),
             set => held += set.bound().unwrap() * own,
         }
+        if let Some(bound) = law.iter().find(|bound| bound.block == number) {
+            let opens = bound.coefficient * own + driven[bound.normal] <= nothing;
+            held_by_cones += if opens { 0.0 } else { f64::INFINITY };
+        }
+    }
+    if !law.is_empty() {
+        held = f64::min(held, held_by_cones);
     }
     assert!(power > held, "power {power:e}, held {held:e}");
 }

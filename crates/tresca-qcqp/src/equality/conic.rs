@@ -1,0 +1,220 @@
+//! How near do forces in a product of convex sets come to a load? Asked of an interior-point solver
+//! (Clarabel).
+//!
+//! ```text
+//! min s   over λ in the sets   subject to   ‖e − Gλ‖ ≤ s
+//! ```
+//!
+//! always has an answer, whether there is an equilibrium or not. The multiplier of the last line is a v,
+//! ‖v‖ ≤ 1, with eᵀv − sup λᵀGᵀv = s: where s > 0 it proves that no forces in the sets carry the load. The
+//! answer is good to some nine digits and comes without a guarantee: whoever asked has to check it.
+
+use super::attainable::{AttainableForces, Piece, UNBOUNDED};
+use crate::sets::block::BlockSet;
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, SupportedConeT,
+    SupportedConeT::{NonnegativeConeT, SecondOrderConeT, ZeroConeT},
+};
+use tresca_la::vector::norm;
+
+/// What is asked for; the solver ends before where it makes no progress, and says what it has.
+const TOLERANCE: f64 = 1e-13;
+const MAX_ITERATIONS: u32 = 200;
+
+/// G by columns, of which only nonzero entries (row, value) are stored, and e.
+pub(super) struct Question<'a> {
+    pub columns: &'a [Vec<(usize, f64)>],
+    pub load: &'a [f64],
+    pub reach: &'a AttainableForces,
+}
+
+/// The forces that come nearest, and the direction that remains.
+pub(super) struct Nearest {
+    /// λ, in the sets up to the solver's accuracy.
+    pub lambda: Vec<f64>,
+    /// v.
+    pub motion: Vec<f64>,
+}
+
+/// The solver's answer; `None` when it has none that is finite, or there is no load.
+pub(super) fn nearest(question: &Question) -> Option<Nearest> {
+    let &Question {
+        columns,
+        load,
+        reach,
+    } = question;
+    let size = norm(load);
+    if !(size > 0.0 && size.is_finite()) {
+        return None;
+    }
+    let (dim, rows) = (columns.len(), load.len());
+    let scales = scales(columns, reach, size);
+    let mut cones = Cones::of(reach, &scales, dim + 1);
+    // (s, e − Gλ) in the second-order cone.
+    let first = cones.rhs.len();
+    cones.entries[dim].push((first, -1.0));
+    cones.rhs.push(0.0);
+    cones.rhs.extend(load.iter().map(|e| e / size));
+    cones.kinds.push(SecondOrderConeT(rows + 1));
+    for (i, column) in columns.iter().enumerate() {
+        let scaled = column
+            .iter()
+            .map(|&(row, value)| (first + 1 + row, value * scales[i] / size));
+        cones.entries[i].extend(scaled);
+    }
+    let mut cost = vec![0.0; dim + 1];
+    cost[dim] = 1.0;
+    let settings = DefaultSettings {
+        verbose: false,
+        max_iter: MAX_ITERATIONS,
+        tol_gap_abs: TOLERANCE,
+        tol_gap_rel: TOLERANCE,
+        tol_feas: TOLERANCE,
+        ..DefaultSettings::default()
+    };
+    let Cones {
+        entries,
+        rhs,
+        kinds,
+    } = cones;
+    let matrix = compressed(rhs.len(), entries);
+    let nothing = CscMatrix::zeros((dim + 1, dim + 1));
+    let mut solver = DefaultSolver::new(&nothing, &cost, &matrix, &rhs, &kinds, settings).ok()?;
+    solver.solve();
+    let (x, z) = (&solver.solution.x, &solver.solution.z);
+    let lambda: Vec<f64> = x.iter().zip(&scales).map(|(x, scale)| x * scale).collect();
+    let motion: Vec<f64> = z.get(first + 1..)?.iter().map(|z| -z).collect();
+    let finite = lambda.iter().chain(&motion).all(|value| value.is_finite());
+    finite.then_some(Nearest { lambda, motion })
+}
+
+/// The unit of every force: what it takes to carry the load alone, or its bound where that is less. A disc
+/// has one for both of its components.
+fn scales(columns: &[Vec<(usize, f64)>], reach: &AttainableForces, size: f64) -> Vec<f64> {
+    let alone = |range: std::ops::Range<usize>| {
+        let squares = columns[range]
+            .iter()
+            .flatten()
+            .map(|(_, value)| value * value);
+        let length = squares.sum::<f64>().sqrt();
+        if length > 0.0 { size / length } else { size }
+    };
+    let mut scales = vec![1.0; columns.len()];
+    for piece in reach.pieces() {
+        match *piece {
+            Piece::Block(block) => {
+                let mut scale = alone(block.range());
+                if let Some(bound) = block.set.bound().filter(|&bound| bound > 0.0) {
+                    scale = scale.min(bound);
+                }
+                scales[block.range()].fill(scale);
+            }
+            Piece::Cone {
+                normal, friction, ..
+            } => {
+                scales[normal] = alone(normal..normal + 1);
+                scales[friction.range()].fill(alone(friction.range()));
+            }
+        }
+    }
+    scales
+}
+
+/// h − Mx in a product of cones, M by columns.
+struct Cones {
+    entries: Vec<Vec<(usize, f64)>>,
+    rhs: Vec<f64>,
+    kinds: Vec<SupportedConeT<f64>>,
+}
+
+impl Cones {
+    /// That the first of so many unknowns, times their scales, are in reach.
+    fn of(reach: &AttainableForces, scales: &[f64], unknowns: usize) -> Self {
+        let mut cones = Self {
+            entries: vec![Vec::new(); unknowns],
+            rhs: Vec::new(),
+            kinds: Vec::new(),
+        };
+        for piece in reach.pieces() {
+            match *piece {
+                Piece::Block(block) => {
+                    let first = block.start;
+                    let bound = block.set.bound().map(|bound| bound / scales[first]);
+                    match block.set {
+                        BlockSet::Line(_) => {}
+                        BlockSet::HalfLine(_) => cones.at_least(0.0, first),
+                        BlockSet::Origin(_) => cones.none(block.range()),
+                        BlockSet::Interval(_) | BlockSet::Disc(_) => match bound {
+                            Some(bound) if bound == 0.0 => cones.none(block.range()),
+                            Some(bound) if bound < UNBOUNDED => cones.within(bound, block.range()),
+                            _ => {}
+                        },
+                    }
+                }
+                Piece::Cone {
+                    normal,
+                    friction,
+                    coefficient,
+                    limit,
+                } => {
+                    let range = friction.range();
+                    let unit = scales[friction.start];
+                    cones.at_least(0.0, normal);
+                    if coefficient == 0.0 || limit == 0.0 {
+                        cones.none(range);
+                        continue;
+                    }
+                    // ‖t‖ ≤ F n.
+                    cones.entries[normal]
+                        .push((cones.rhs.len(), -coefficient * scales[normal] / unit));
+                    cones.within(0.0, range.clone());
+                    if limit < UNBOUNDED {
+                        cones.within(limit / unit, range);
+                    }
+                }
+            }
+        }
+        cones
+    }
+
+    /// x ≥ least.
+    fn at_least(&mut self, least: f64, unknown: usize) {
+        self.entries[unknown].push((self.rhs.len(), -1.0));
+        self.rhs.push(-least);
+        self.kinds.push(NonnegativeConeT(1));
+    }
+
+    /// x = 0.
+    fn none(&mut self, unknowns: std::ops::Range<usize>) {
+        for unknown in unknowns {
+            self.entries[unknown].push((self.rhs.len(), 1.0));
+            self.rhs.push(0.0);
+            self.kinds.push(ZeroConeT(1));
+        }
+    }
+
+    /// ‖x‖ ≤ bound, and what stands in that row already.
+    fn within(&mut self, bound: f64, unknowns: std::ops::Range<usize>) {
+        self.kinds.push(SecondOrderConeT(1 + unknowns.len()));
+        self.rhs.push(bound);
+        for unknown in unknowns {
+            self.entries[unknown].push((self.rhs.len(), -1.0));
+            self.rhs.push(0.0);
+        }
+    }
+}
+
+fn compressed(rows: usize, columns: Vec<Vec<(usize, f64)>>) -> CscMatrix<f64> {
+    let mut starts = vec![0];
+    let (mut indices, mut values) = (Vec::new(), Vec::new());
+    for mut column in columns {
+        column.sort_unstable_by_key(|&(row, _)| row);
+        for (row, value) in column {
+            indices.push(row);
+            values.push(value);
+        }
+        starts.push(indices.len());
+    }
+    CscMatrix::new(rows, starts.len() - 1, starts, indices, values)
+}
