@@ -4,6 +4,7 @@
 //! F(λ) = λ − P(y),   y = λ − ρ r(λ),   P onto half-lines, lines, and discs of radius min(F max(y_n, 0), limit)
 //! ```
 //!
+//! With an equality constraint G̃λ = ẽ its multiplier is one more unknown, and r(λ) = Aλ − b − G̃ᵀβ.
 //! (P. Alart, A. Curnier, Comput. Methods Appl. Mech. Eng. 92 (1991).) Its generalised derivative is not symmetric, as
 //! the bound depends on the normal force: a dense LU factorisation in each step, with a line search on ‖F‖. It has no
 //! guarantee, but from a point near a solution it is there in a few steps: sweeps offer such points.
@@ -34,26 +35,27 @@ struct Row<'a> {
     rho: f64,
 }
 
-/// λ after some Newton steps, as long as ‖F‖ falls; `None` where A has no entries, or too many.
+/// λ and β after some Newton steps, as long as ‖F‖ falls; `None` where A has no entries, or too many.
 pub(super) fn solve(
     operator: &mut dyn DualOperator,
     problem: &Frictional,
     lambda: &[f64],
-) -> Option<Vec<f64>> {
+    beta: &[f64],
+) -> Option<(Vec<f64>, Vec<f64>)> {
     if operator.dim() > LARGEST {
         return None;
     }
     let rows = rows(operator.explicit()?, problem);
     let rho_of = rho_of(&rows, operator.dim());
-    let mut at = point_at(operator, problem.rhs, lambda.to_vec());
-    let mut residual = defect(&rows, &rho_of, &at);
+    let mut at = station(operator, problem, lambda.to_vec(), beta.to_vec());
+    let mut residual = defect(problem, &rows, &rho_of, &at);
     let first = norm(&residual);
     for _ in 0..MAX_STEPS {
         let size = norm(&residual);
         if size <= SOLVED * first {
             break;
         }
-        let matrix = derivative(operator.explicit()?, &rows, &rho_of, &at);
+        let matrix = derivative(operator.explicit()?, problem, &rows, &rho_of, &at);
         let mut step: Vec<f64> = residual.iter().map(|f| -f).collect();
         matrix
             .partial_piv_lu()
@@ -64,9 +66,11 @@ pub(super) fn solve(
         let mut length = 1.0;
         let mut next = None;
         for _ in 0..MAX_HALVINGS {
-            let moved = at.lambda.iter().zip(&step).map(|(l, s)| l + length * s);
-            let trial = point_at(operator, problem.rhs, moved.collect());
-            let value = defect(&rows, &rho_of, &trial);
+            let moved = at.point.lambda.iter().chain(&at.beta).zip(&step);
+            let mut moved: Vec<f64> = moved.map(|(x, s)| x + length * s).collect();
+            let beta = moved.split_off(at.point.lambda.len());
+            let trial = station(operator, problem, moved, beta);
+            let value = defect(problem, &rows, &rho_of, &trial);
             if norm(&value) <= (1.0 - 1e-4 * length) * size {
                 next = Some((trial, value));
                 break;
@@ -76,7 +80,27 @@ pub(super) fn solve(
         let Some((trial, value)) = next else { break };
         (at, residual) = (trial, value);
     }
-    Some(at.lambda)
+    Some((at.point.lambda, at.beta))
+}
+
+/// λ and β with the gradient there.
+struct Station {
+    point: Point,
+    beta: Vec<f64>,
+}
+
+fn station(
+    operator: &mut dyn DualOperator,
+    problem: &Frictional,
+    lambda: Vec<f64>,
+    beta: Vec<f64>,
+) -> Station {
+    let mut point = point_at(operator, problem.rhs, lambda);
+    if let Some(balance) = problem.balance {
+        let minus: Vec<f64> = beta.iter().map(|b| -b).collect();
+        balance.add_transposed(&minus, &mut point.gradient);
+    }
+    Station { point, beta }
 }
 
 fn rows<'a>(a: &dyn SymmetricEntries, problem: &Frictional<'a>) -> Vec<Row<'a>> {
@@ -121,8 +145,9 @@ fn radius(row: &Row, y: impl Fn(usize) -> f64) -> (f64, bool) {
     }
 }
 
-/// F.
-fn defect(rows: &[Row], rho: &[f64], at: &Point) -> Vec<f64> {
+/// F, and ẽ − G̃λ below it.
+fn defect(problem: &Frictional, rows: &[Row], rho: &[f64], station: &Station) -> Vec<f64> {
+    let at = &station.point;
     let y = |i: usize| at.lambda[i] - rho[i] * at.gradient[i];
     let mut f = at.lambda.clone();
     for row in rows {
@@ -144,19 +169,40 @@ fn defect(rows: &[Row], rho: &[f64], at: &Point) -> Vec<f64> {
             }
         }
     }
+    if let Some(balance) = problem.balance {
+        f.extend(balance.shortfall(&at.lambda));
+    }
     f
 }
 
 /// F'.
-fn derivative(a: &dyn SymmetricEntries, rows: &[Row], rho: &[f64], at: &Point) -> Mat<f64> {
-    let dim = at.lambda.len();
+fn derivative(
+    a: &dyn SymmetricEntries,
+    problem: &Frictional,
+    rows: &[Row],
+    rho: &[f64],
+    station: &Station,
+) -> Mat<f64> {
+    let at = &station.point;
+    let unknowns = at.lambda.len();
+    let constraints: &[Vec<f64>] = problem.balance.map_or(&[], |balance| &balance.rows);
+    let dim = unknowns + constraints.len();
     let y = |i: usize| at.lambda[i] - rho[i] * at.gradient[i];
-    // ∂y_i/∂λ_j.
+    // ∂y_i/∂λ_j, and ∂y_i/∂β after them.
     let dy = |i: usize, j: usize| {
+        if j >= unknowns {
+            return rho[i] * constraints[j - unknowns][i];
+        }
         let own = if i == j { 1.0 } else { 0.0 };
         own - rho[i] * a.entry(i.max(j), i.min(j))
     };
     let mut matrix = Mat::identity(dim, dim);
+    for (k, row) in constraints.iter().enumerate() {
+        matrix[(unknowns + k, unknowns + k)] = 0.0;
+        for (j, g) in row.iter().enumerate() {
+            matrix[(unknowns + k, j)] = -g;
+        }
+    }
     for row in rows {
         let i = row.start;
         match row.set {

@@ -5,7 +5,7 @@
 //! sweeps are, it does.
 
 use super::exact;
-use super::frictional::Frictional;
+use super::frictional::{Frictional, first_multiplier};
 use super::in_loop;
 use super::local::Local;
 use crate::inner_problem::Ending;
@@ -16,7 +16,7 @@ use crate::sets::convex_set::ConvexSet;
 use crate::start::Start;
 use crate::status::Status;
 use tresca_la::SymmetricEntries;
-use tresca_la::vector::norm;
+use tresca_la::vector::{axpy, dot, norm};
 
 /// Sweeps for each outer iteration that the settings allow, and the fewest of these with which there are any.
 const SWEEPS_EACH: usize = 100;
@@ -40,24 +40,24 @@ struct Contact {
     limit: f64,
 }
 
-/// Sweeps from the start, or from λ = 0; `None` where A has no entries to be had, bodies float, or sweeps do not get
-/// there either. A sweep counts as a multiplication, and takes one more for a fresh gradient.
+/// Sweeps from the start, or from λ = 0; `None` where A has no entries to be had, or sweeps do not get there either. A sweep counts as a multiplication, and takes one more for a fresh gradient.
 pub(super) fn solve(
     session: &mut Session,
     problem: &Frictional,
     start: Option<Start>,
 ) -> Option<Ending> {
     let outer = session.settings.max_outer_iterations;
-    let possible = problem.balance.is_none() && session.operator.explicit().is_some();
-    if outer < LEAST_OUTER || !possible {
+    if outer < LEAST_OUTER || session.operator.explicit().is_none() {
         return None;
     }
     let (contacts, others) = parts(problem);
     let mut lambda = start.map_or_else(|| vec![0.0; problem.rhs.len()], |s| s.lambda.to_vec());
     problem.set.project(&mut lambda);
+    let mut beta = first_multiplier(problem, start);
     let mut set = problem.set.clone();
     for sweep in 1..=SWEEPS_EACH.saturating_mul(outer) {
-        let mut point = point_at(&mut *session.operator, problem.rhs, lambda);
+        let rhs = driven(problem, &beta);
+        let mut point = point_at(&mut *session.operator, &rhs, lambda);
         let a = session.operator.explicit()?;
         for contact in &contacts {
             settle(a, contact, &mut point);
@@ -68,6 +68,10 @@ pub(super) fn solve(
         session.operator.tally().count += 1;
         session.sweeps += 1;
         lambda = point.lambda;
+        if let Some(balance) = problem.balance {
+            // A holds G̃ᵀG̃: this is the step of the method of multipliers.
+            axpy(1.0, &balance.shortfall(&lambda), &mut beta);
+        }
         if !norm(&lambda).is_finite() {
             return None;
         }
@@ -75,24 +79,31 @@ pub(super) fn solve(
         if !hand_over && !sweep.is_multiple_of(LOOK) {
             continue;
         }
-        if let Some(ending) = solved(session, problem, lambda.clone(), sweep) {
+        if let Some(ending) = solved(session, problem, lambda.clone(), beta.clone(), sweep) {
             return Some(ending);
         }
         let exactly = hand_over || sweep <= OFTEN;
         let found = exactly
-            .then(|| exact::solve(&mut *session.operator, problem, &lambda))
+            .then(|| exact::solve(&mut *session.operator, problem, &lambda, &beta))
             .flatten();
-        let ending = found.and_then(|found| solved(session, problem, found, sweep));
+        let ending = found.and_then(|(lambda, beta)| solved(session, problem, lambda, beta, sweep));
         if ending.is_some() {
             return ending;
         }
         if hand_over {
             problem.law.bound(&mut set, &problem.law.bounds(&lambda));
+            let motion = problem.balance.map_or_else(Vec::new, |b| b.motion(&beta));
             let from = Frictional {
                 set: &set,
                 ..*problem
             };
-            let ending = in_loop::solve(session, &from, Some(Start::from(&lambda[..])));
+            let ending = {
+                let start = Start {
+                    lambda: &lambda,
+                    multiplier: &motion,
+                };
+                in_loop::solve(session, &from, Some(start))
+            };
             if ending.status.is_converged() {
                 return Some(ending);
             }
@@ -109,14 +120,32 @@ fn solved(
     session: &mut Session,
     problem: &Frictional,
     lambda: Vec<f64>,
+    beta: Vec<f64>,
     sweep: usize,
 ) -> Option<Ending> {
     let mut set = problem.set.clone();
     problem.law.bound(&mut set, &problem.law.bounds(&lambda));
-    let mut ending = session.evaluate(problem.rhs, &set, lambda);
+    let mut ending = session.evaluate(&driven(problem, &beta), &set, lambda);
+    if let Some(balance) = problem.balance {
+        let lambda = &ending.point.lambda;
+        ending.equality_residual = balance.relative_shortfall(&balance.shortfall(lambda), lambda);
+        let applied = balance.rows.iter().map(|row| dot(row, lambda));
+        ending.objective += applied.zip(&beta).map(|(x, b)| x * b).sum::<f64>();
+    }
     ending.status = Status::Converged;
     ending.outer_iterations = sweep;
-    (ending.relative <= session.settings.tolerance).then_some(ending)
+    ending.multiplier = beta;
+    let residual = ending.relative.max(ending.equality_residual);
+    (residual <= session.settings.tolerance).then_some(ending)
+}
+
+/// b + G̃ᵀβ.
+fn driven(problem: &Frictional, beta: &[f64]) -> Vec<f64> {
+    let mut rhs = problem.rhs.to_vec();
+    if let Some(balance) = problem.balance {
+        balance.add_transposed(beta, &mut rhs);
+    }
+    rhs
 }
 
 /// The contacts with friction by Coulomb, and the blocks that have nothing to do with them.
