@@ -23,12 +23,11 @@ const EASING: f64 = 10.0;
 const LEAST: f64 = 1e-13;
 /// Part of the slope that d must gain (Armijo).
 const SUFFICIENT: f64 = 1e-4;
-/// A residual smaller by this factor is a gain too, near the end, where d is rounding: as long as d does not
-/// fall by this part of the slope, and the part of itself that it may be wrong by. Else a body may slide past
-/// where it sticks, to and fro, ever further.
+/// A residual smaller by this factor is a gain too, for d itself is as good as the inner solves and rounding
+/// allow; unless the slope at the end of the step is as much against it as this part of that at its start. Else
+/// a body may slide past where it sticks, to and fro, ever further.
 const CONTRACTION: f64 = 0.7;
-const FALL: f64 = 0.05;
-const ROUNDING: f64 = 1e-10;
+const PAST: f64 = 0.1;
 /// Bounds of the factor by which a step is shortened, and how often, before the step of the method
 /// of multipliers is made. Where d is known a step that is short enough gains: it takes as many to find the
 /// narrow range in which a body sticks, far beyond which it slides to and fro.
@@ -45,8 +44,6 @@ pub(super) struct Station {
     pub shortfall: Vec<f64>,
     /// d(β), as good as the inner solve; `None` where there is no such function (bounds that follow λ).
     pub value: Option<f64>,
-    /// The size of the terms that d is the sum of.
-    pub size: f64,
 }
 
 /// A step, and what it is expected to do to λ.
@@ -176,14 +173,14 @@ impl DualAscent {
             Trial::Step { length, .. } => length,
             Trial::Excursion { .. } | Trial::Careful => 1.0,
         };
-        let slope = length * dot(&base.shortfall, &direction.beta);
         let contracts = norm(&station.shortfall) < CONTRACTION * norm(&base.shortfall);
         let (Some(value), Some(before)) = (station.value, base.value) else {
             return contracts;
         };
-        let doubt = FALL * slope + ROUNDING * f64::max(base.size, station.size);
-        let gain = value - before;
-        gain >= SUFFICIENT * slope || contracts && gain >= -doubt
+        let first = dot(&base.shortfall, &direction.beta);
+        let last = dot(&station.shortfall, &direction.beta);
+        let higher = value >= before + SUFFICIENT * length * first;
+        higher || contracts && last >= -PAST * first
     }
 }
 
