@@ -24,15 +24,16 @@ const LEAST: f64 = 1e-13;
 /// Part of the slope that d must gain (Armijo).
 const SUFFICIENT: f64 = 1e-4;
 /// A residual smaller by this factor is a gain too, for d itself is as good as the inner solves and rounding
-/// allow; unless the slope at the end of the step is as much against it as this part of that at its start. Else
-/// a body may slide past where it sticks, to and fro, ever further.
+/// allow; unless d seems to have fallen by this part of its slope, and the slope at the end of the step is as
+/// much against it. Else a body may slide past where it sticks, to and fro, ever further.
 const CONTRACTION: f64 = 0.7;
-const PAST: f64 = 0.1;
+const PAST: f64 = 0.03;
 /// Bounds of the factor by which a step is shortened, and how often, before the step of the method
 /// of multipliers is made. Where d is known a step that is short enough gains: it takes as many to find the
 /// narrow range in which a body sticks, far beyond which it slides to and fro.
 const SHORTENED: (f64, f64) = (0.05, 0.7);
-const MAX_SHORTENINGS: usize = 15;
+const SHORTENED_AGAIN: f64 = 0.4;
+const MAX_SHORTENINGS: usize = 10;
 const MAX_SHORTENINGS_BLIND: usize = 5;
 
 /// A multiplier with what is known there.
@@ -95,6 +96,10 @@ impl DualAscent {
                     length,
                     shortenings,
                 } if shortenings > 0 => self.stiffen(length),
+                Trial::Excursion { .. } => {
+                    let moved = distance(&station.beta, &base.beta);
+                    self.stiffen(f64::min(moved / norm(&direction.beta), 1.0));
+                }
                 _ => self.epsilon = f64::max(self.epsilon / EASING, LEAST),
             }
             return self.leave(station, compliance());
@@ -139,12 +144,12 @@ impl DualAscent {
         slope: f64,
         shortenings: usize,
     ) -> (Vec<f64>, Vec<f64>) {
-        let most = if base.value.is_some() {
+        let allowed = if base.value.is_some() {
             MAX_SHORTENINGS
         } else {
             MAX_SHORTENINGS_BLIND
         };
-        if shortenings >= most {
+        if shortenings >= allowed {
             self.stiffen(length);
             self.trial = Trial::Careful;
             let mut beta = base.beta.clone();
@@ -152,9 +157,14 @@ impl DualAscent {
             return (beta, base.lambda.clone());
         }
         let first = dot(&base.shortfall, &direction.beta);
-        let factor = (first / (first - slope)).clamp(SHORTENED.0, SHORTENED.1);
+        let most = if shortenings > 0 {
+            SHORTENED_AGAIN
+        } else {
+            SHORTENED.1
+        };
+        let factor = (first / (first - slope)).clamp(SHORTENED.0, most);
         // A slope that has not fallen says nothing of where to stop.
-        let factor = if slope < first { factor } else { SHORTENED.1 };
+        let factor = if slope < first { factor } else { most };
         self.trial = Trial::Step {
             length: factor * length,
             shortenings: shortenings + 1,
@@ -177,10 +187,11 @@ impl DualAscent {
         let (Some(value), Some(before)) = (station.value, base.value) else {
             return contracts;
         };
-        let first = dot(&base.shortfall, &direction.beta);
-        let last = dot(&station.shortfall, &direction.beta);
-        let higher = value >= before + SUFFICIENT * length * first;
-        higher || contracts && last >= -PAST * first
+        let first = length * dot(&base.shortfall, &direction.beta);
+        let last = length * dot(&station.shortfall, &direction.beta);
+        let gain = value - before;
+        let past = f64::max(gain, last) < -PAST * first;
+        gain >= SUFFICIENT * first || contracts && !past
     }
 }
 
@@ -199,6 +210,11 @@ fn direction_at(from: &Station, compliance: &Compliance, epsilon: f64) -> Direct
         axpy(*change, response, &mut lambda);
     }
     Direction { beta, lambda }
+}
+
+fn distance(x: &[f64], y: &[f64]) -> f64 {
+    let squares = x.iter().zip(y).map(|(x, y)| (x - y).powi(2));
+    squares.sum::<f64>().sqrt()
 }
 
 fn along(from: &Station, direction: &Direction, length: f64) -> (Vec<f64>, Vec<f64>) {
