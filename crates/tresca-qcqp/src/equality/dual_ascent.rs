@@ -28,6 +28,9 @@ const SUFFICIENT: f64 = 1e-4;
 /// much against it. Else a body may slide past where it sticks, to and fro, ever further.
 const CONTRACTION: f64 = 0.7;
 const PAST: f64 = 0.03;
+/// Where so much of the slope is left at the end of a shortened step that gained, the next may go further: to
+/// the geometric mean of this length and the one that failed.
+const FLAT: f64 = 0.5;
 /// Bounds of the factor by which a step is shortened, and how often, before the step of the method
 /// of multipliers is made. Where d is known a step that is short enough gains: it takes as many to find the
 /// narrow range in which a body sticks, far beyond which it slides to and fro.
@@ -56,7 +59,12 @@ struct Direction {
 /// Where the ascent stands between two inner solves.
 enum Trial {
     /// The end of the step of this length is awaited.
-    Step { length: f64, shortenings: usize },
+    /// and `failed` is the length that did not gain before.
+    Step {
+        length: f64,
+        failed: f64,
+        shortenings: usize,
+    },
     /// The full step failed, with this slope at its end; what a step from there leads to is awaited.
     Excursion { slope: f64 },
     /// The step of the method of multipliers is awaited: it counts, come what may.
@@ -94,8 +102,17 @@ impl DualAscent {
                 // As short a step would have come from so much more ε where H vanishes.
                 Trial::Step {
                     length,
+                    failed,
                     shortenings,
-                } if shortenings > 0 => self.stiffen(length),
+                } if shortenings > 0 => {
+                    let slope = dot(&station.shortfall, &direction.beta);
+                    let flat = slope > FLAT * dot(&base.shortfall, &direction.beta);
+                    self.stiffen(if flat {
+                        (length * failed).sqrt()
+                    } else {
+                        length
+                    });
+                }
                 Trial::Excursion { .. } => {
                     let moved = distance(&station.beta, &base.beta);
                     self.stiffen(f64::min(moved / norm(&direction.beta), 1.0));
@@ -116,6 +133,7 @@ impl DualAscent {
             Trial::Step {
                 length,
                 shortenings,
+                ..
             } => self.shorten(&base, &direction, length, slope, shortenings),
         };
         self.base = Some((base, direction));
@@ -129,6 +147,7 @@ impl DualAscent {
         self.base = Some((station, direction));
         self.trial = Trial::Step {
             length: 1.0,
+            failed: 1.0,
             shortenings: 0,
         };
         next
@@ -167,6 +186,7 @@ impl DualAscent {
         let factor = if slope < first { factor } else { most };
         self.trial = Trial::Step {
             length: factor * length,
+            failed: length,
             shortenings: shortenings + 1,
         };
         along(base, direction, factor * length)
