@@ -23,17 +23,20 @@ const EASING: f64 = 10.0;
 const LEAST: f64 = 1e-13;
 /// Part of the slope that d must gain (Armijo).
 const SUFFICIENT: f64 = 1e-4;
-/// A residual smaller by this factor is a gain too, near the end, where d is rounding: as long as d does not
-/// fall by this part of the slope, and the part of itself that it may be wrong by. Else a body may slide past
-/// where it sticks, to and fro, ever further.
+/// A residual smaller by this factor is a gain too, for d itself is as good as the inner solves and rounding
+/// allow; unless d seems to have fallen by this part of its slope, and the slope at the end of the step is as
+/// much against it. Else a body may slide past where it sticks, to and fro, ever further.
 const CONTRACTION: f64 = 0.7;
-const FALL: f64 = 0.05;
-const ROUNDING: f64 = 1e-10;
+const PAST: f64 = 0.03;
+/// Where so much of the slope is left at the end of a shortened step that gained, the next may go further: to
+/// the geometric mean of this length and the one that failed.
+const FLAT: f64 = 0.5;
 /// Bounds of the factor by which a step is shortened, and how often, before the step of the method
 /// of multipliers is made. Where d is known a step that is short enough gains: it takes as many to find the
 /// narrow range in which a body sticks, far beyond which it slides to and fro.
 const SHORTENED: (f64, f64) = (0.05, 0.7);
-const MAX_SHORTENINGS: usize = 15;
+const SHORTENED_AGAIN: f64 = 0.4;
+const MAX_SHORTENINGS: usize = 10;
 const MAX_SHORTENINGS_BLIND: usize = 5;
 
 /// A multiplier with what is known there.
@@ -45,8 +48,6 @@ pub(super) struct Station {
     pub shortfall: Vec<f64>,
     /// d(β), as good as the inner solve; `None` where there is no such function (bounds that follow λ).
     pub value: Option<f64>,
-    /// The size of the terms that d is the sum of.
-    pub size: f64,
 }
 
 /// A step, and what it is expected to do to λ.
@@ -58,7 +59,12 @@ struct Direction {
 /// Where the ascent stands between two inner solves.
 enum Trial {
     /// The end of the step of this length is awaited.
-    Step { length: f64, shortenings: usize },
+    /// and `failed` is the length that did not gain before.
+    Step {
+        length: f64,
+        failed: f64,
+        shortenings: usize,
+    },
     /// The full step failed, with this slope at its end; what a step from there leads to is awaited.
     Excursion { slope: f64 },
     /// The step of the method of multipliers is awaited: it counts, come what may.
@@ -96,8 +102,21 @@ impl DualAscent {
                 // As short a step would have come from so much more ε where H vanishes.
                 Trial::Step {
                     length,
+                    failed,
                     shortenings,
-                } if shortenings > 0 => self.stiffen(length),
+                } if shortenings > 0 => {
+                    let slope = dot(&station.shortfall, &direction.beta);
+                    let flat = slope > FLAT * dot(&base.shortfall, &direction.beta);
+                    self.stiffen(if flat {
+                        (length * failed).sqrt()
+                    } else {
+                        length
+                    });
+                }
+                Trial::Excursion { .. } => {
+                    let moved = distance(&station.beta, &base.beta);
+                    self.stiffen(f64::min(moved / norm(&direction.beta), 1.0));
+                }
                 _ => self.epsilon = f64::max(self.epsilon / EASING, LEAST),
             }
             return self.leave(station, compliance());
@@ -114,6 +133,7 @@ impl DualAscent {
             Trial::Step {
                 length,
                 shortenings,
+                ..
             } => self.shorten(&base, &direction, length, slope, shortenings),
         };
         self.base = Some((base, direction));
@@ -127,6 +147,7 @@ impl DualAscent {
         self.base = Some((station, direction));
         self.trial = Trial::Step {
             length: 1.0,
+            failed: 1.0,
             shortenings: 0,
         };
         next
@@ -142,12 +163,12 @@ impl DualAscent {
         slope: f64,
         shortenings: usize,
     ) -> (Vec<f64>, Vec<f64>) {
-        let most = if base.value.is_some() {
+        let allowed = if base.value.is_some() {
             MAX_SHORTENINGS
         } else {
             MAX_SHORTENINGS_BLIND
         };
-        if shortenings >= most {
+        if shortenings >= allowed {
             self.stiffen(length);
             self.trial = Trial::Careful;
             let mut beta = base.beta.clone();
@@ -155,11 +176,17 @@ impl DualAscent {
             return (beta, base.lambda.clone());
         }
         let first = dot(&base.shortfall, &direction.beta);
-        let factor = (first / (first - slope)).clamp(SHORTENED.0, SHORTENED.1);
+        let most = if shortenings > 0 {
+            SHORTENED_AGAIN
+        } else {
+            SHORTENED.1
+        };
+        let factor = (first / (first - slope)).clamp(SHORTENED.0, most);
         // A slope that has not fallen says nothing of where to stop.
-        let factor = if slope < first { factor } else { SHORTENED.1 };
+        let factor = if slope < first { factor } else { most };
         self.trial = Trial::Step {
             length: factor * length,
+            failed: length,
             shortenings: shortenings + 1,
         };
         along(base, direction, factor * length)
@@ -176,14 +203,15 @@ impl DualAscent {
             Trial::Step { length, .. } => length,
             Trial::Excursion { .. } | Trial::Careful => 1.0,
         };
-        let slope = length * dot(&base.shortfall, &direction.beta);
         let contracts = norm(&station.shortfall) < CONTRACTION * norm(&base.shortfall);
         let (Some(value), Some(before)) = (station.value, base.value) else {
             return contracts;
         };
-        let doubt = FALL * slope + ROUNDING * f64::max(base.size, station.size);
+        let first = length * dot(&base.shortfall, &direction.beta);
+        let last = length * dot(&station.shortfall, &direction.beta);
         let gain = value - before;
-        gain >= SUFFICIENT * slope || contracts && gain >= -doubt
+        let past = f64::max(gain, last) < -PAST * first;
+        gain >= SUFFICIENT * first || contracts && !past
     }
 }
 
@@ -202,6 +230,11 @@ fn direction_at(from: &Station, compliance: &Compliance, epsilon: f64) -> Direct
         axpy(*change, response, &mut lambda);
     }
     Direction { beta, lambda }
+}
+
+fn distance(x: &[f64], y: &[f64]) -> f64 {
+    let squares = x.iter().zip(y).map(|(x, y)| (x - y).powi(2));
+    squares.sum::<f64>().sqrt()
 }
 
 fn along(from: &Station, direction: &Direction, length: f64) -> (Vec<f64>, Vec<f64>) {

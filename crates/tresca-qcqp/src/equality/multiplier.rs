@@ -65,26 +65,6 @@ pub(crate) fn solve(
         return ending;
     }
     let ending = ascend(session, problem, start, multiplier);
-    if std::env::var("DBG").is_ok() && doubtful(balance, &ending) {
-        let reach = AttainableForces::new(set, law);
-        println!(
-            "DOUBTFUL {} {:?} law {}",
-            ending.status,
-            equilibrium::find(&balance.with_diagonal_metric(), &reach),
-            law.is_some()
-        );
-        println!("{:?} {:?} {:?}", balance.rows, balance.load, set.blocks());
-        for r in &session.journal.records {
-            println!(
-                "{} {} {:e} {:e}",
-                r.outer, r.iteration, r.relative_reduced_gradient, r.objective
-            );
-        }
-        println!(
-            "{:?} {:?} {:?}",
-            ending.point.lambda, ending.point.gradient, ending.multiplier
-        );
-    }
     if doubtful(balance, &ending) {
         let anew =
             ending_without_equilibrium(session, rhs, set, law, balance, equilibrium::find_anew);
@@ -146,9 +126,7 @@ fn ascend(
         let forces = balance.relative_shortfall(&shortfall, &ending.point.lambda);
         let moved = relative(balance.spread(&shortfall), ending.reference);
         let residual = moved.max(FORCES * forces);
-        let driven = dot(&beta, &balance.load);
-        let value = ending.objective + driven;
-        let size = ending.objective.abs() + driven.abs();
+        let value = ending.objective + dot(&beta, &balance.load);
         // q itself, and the multiplier that the caller may use.
         ending.objective += dot(&beta, &applied(balance, &ending.point));
         ending.multiplier = beta.clone();
@@ -186,7 +164,6 @@ fn ascend(
             lambda: ending.point.lambda.clone(),
             shortfall,
             value: law.is_none().then_some(value),
-            size,
         };
         let (next, expected) = ascent.next(station, || {
             compliance(session, &ending, &balance.rows, care * RESPONSE_ACCURACY)

@@ -245,8 +245,6 @@ fn run(friction: Friction, seeds: std::ops::Range<u64>) -> Tally {
             };
             if wrong {
                 tally.wrong.push(what);
-            } else if solution.status != Status::Converged {
-                println!("{what}");
             }
         }
     }
@@ -270,14 +268,6 @@ fn discs_that_cannot_hold_a_chain_are_proved_so() {
 fn cones_that_cannot_hold_a_chain_are_proved_so() {
     for friction in [Friction::Cones, Friction::PlanarCones] {
         let tally = run(friction, 0..200);
-        println!("{tally:?}");
         assert!(tally.wrong.is_empty(), "{tally:#?}");
     }
-}
-
-#[test]
-fn debug_one() {
-    println!("{:?}", run(Friction::PlanarCones, 107..108));
-    println!("----------------------------");
-    println!("{:?}", run(Friction::PlanarCones, 177..178));
 }
