@@ -71,17 +71,18 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
         centre.clone_from(&point.lambda);
         let mut ending = run::ending_of(point, inner, sigma);
         let over = session.journal.stop || session.journal.steps() >= limit;
-        if ending.relative <= inner.tolerance
-            && !run::drowned(&*session.operator, sigma, &ending.point, ending.reference)
-        {
-            ending.status = Status::Converged;
-            return ending;
-        }
+        // First: to a coarse tolerance contradictions look like solutions.
         let found =
             contradiction::proof(&mut *session.operator, sigma, inner.rhs, inner.set, &moved);
         if found.is_some() {
             ending.status = Status::Infeasible;
             ending.contradiction = found;
+            return ending;
+        }
+        if ending.relative <= inner.tolerance
+            && !run::drowned(&*session.operator, sigma, &ending.point, ending.reference)
+        {
+            ending.status = Status::Converged;
             return ending;
         }
         if best
