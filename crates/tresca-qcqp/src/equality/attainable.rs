@@ -71,6 +71,32 @@ impl AttainableForces {
         Self { pieces }
     }
 
+    /// The same set with so much of every bound on friction.
+    pub fn with_less_friction(&self, share: f64) -> Self {
+        let shrunk = |piece: &Piece| match *piece {
+            Piece::Block(mut block) => {
+                if let Some(bound) = block.set.bound() {
+                    block.set = block.set.with_bound(share * bound);
+                }
+                Piece::Block(block)
+            }
+            Piece::Cone {
+                normal,
+                friction,
+                coefficient,
+                limit,
+            } => Piece::Cone {
+                normal,
+                friction,
+                coefficient: share * coefficient,
+                limit: share * limit,
+            },
+        };
+        Self {
+            pieces: self.pieces.iter().map(shrunk).collect(),
+        }
+    }
+
     /// Its factors.
     pub(super) fn pieces(&self) -> &[Piece] {
         &self.pieces
