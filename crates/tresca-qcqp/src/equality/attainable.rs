@@ -6,7 +6,7 @@ use crate::sets::convex_set::ConvexSet;
 use crate::sets::product::ProductSet;
 
 /// Bounds from here on mean that nothing slips.
-pub(super) const UNBOUNDED: f64 = 1e290;
+const UNBOUNDED: f64 = 1e290;
 
 /// Λ, or what takes its place while the slip bounds are not known: with Coulomb's law every
 /// friction block and its normal force make the convex set ‖t‖ ≤ min(F n, limit).
