@@ -2,6 +2,7 @@
 
 use crate::active_set::ActiveSet;
 use crate::coulomb::law::CoulombLaw;
+use crate::equality::Statics;
 use crate::figures::Figures;
 use crate::operator::dual_operator::Tally;
 use crate::point::Point;
@@ -77,6 +78,7 @@ pub(crate) struct Ending {
     pub multiplier: Vec<f64>,
     pub equality_residual: f64,
     pub motion: Option<Vec<f64>>,
+    pub statics: Option<Statics>,
     /// y, the proof that constraints contradict each other.
     pub contradiction: Option<Vec<f64>>,
     pub outer_iterations: usize,
@@ -115,6 +117,7 @@ impl Ending {
             active_set: self.active,
             multiplier: self.multiplier,
             motion: self.motion,
+            statics: self.statics,
             contradiction: self.contradiction,
             records: journal.records,
         }

@@ -88,7 +88,7 @@ mod status;
 
 pub use active_set::{ActiveSet, StateCounts};
 pub use coulomb::CoulombBound;
-pub use equality::Equality;
+pub use equality::{Equality, Statics};
 pub use error::QcqpError;
 pub use figures::Figures;
 pub use newton::tangent::Tangent;

@@ -1,6 +1,7 @@
 //! What a run returns.
 
 use crate::active_set::ActiveSet;
+use crate::equality::Statics;
 use crate::figures::Figures;
 use crate::record::IterationRecord;
 use crate::settings::Method;
@@ -32,6 +33,9 @@ pub struct DualSolution {
     /// With [`Status::NoEquilibrium`] the proof, of unit length: a motion v with eᵀv > λᵀGᵀv for all
     /// λ ∈ Λ. The load drives it, and no admissible contact force can stop it.
     pub motion: Option<Vec<f64>>,
+    /// With an equality constraint and an end without answer or proof: what statics say of it. `None` with
+    /// any other end, and where Coulomb's bounds are what has not settled.
+    pub statics: Option<Statics>,
     /// With [`Status::Infeasible`] the proof, of unit length: contact forces y that no sets limit, in the dual
     /// cone of the constraints, with Ay = 0 (and Gy = 0) and bᵀy > 0. Along y the dual objective falls
     /// without end; no displacement can satisfy the constraints whose entries in y are not zero.

@@ -6,7 +6,7 @@ use crate::sets::convex_set::ConvexSet;
 use crate::sets::product::ProductSet;
 
 /// Bounds from here on mean that nothing slips.
-pub(super) const UNBOUNDED: f64 = 1e290;
+const UNBOUNDED: f64 = 1e290;
 
 /// Λ, or what takes its place while the slip bounds are not known: with Coulomb's law every
 /// friction block and its normal force make the convex set ‖t‖ ≤ min(F n, limit).
@@ -69,6 +69,32 @@ impl AttainableForces {
         let rest = blocks.iter().zip(&taken).filter(|(_, taken)| !**taken);
         pieces.extend(rest.map(|(&block, _)| Piece::Block(block)));
         Self { pieces }
+    }
+
+    /// The same set with so much of every bound on friction.
+    pub fn with_less_friction(&self, share: f64) -> Self {
+        let shrunk = |piece: &Piece| match *piece {
+            Piece::Block(mut block) => {
+                if let Some(bound) = block.set.bound() {
+                    block.set = block.set.with_bound(share * bound);
+                }
+                Piece::Block(block)
+            }
+            Piece::Cone {
+                normal,
+                friction,
+                coefficient,
+                limit,
+            } => Piece::Cone {
+                normal,
+                friction,
+                coefficient: share * coefficient,
+                limit: share * limit,
+            },
+        };
+        Self {
+            pieces: self.pieces.iter().map(shrunk).collect(),
+        }
     }
 
     /// Its factors.

@@ -15,8 +15,9 @@
 
 use super::attainable::AttainableForces;
 use super::balance::Balance;
-use super::conic::{self, Question};
+use super::conic;
 use super::foundation::Foundation;
+use super::statics::Statics;
 use tresca_la::vector::{dot, norm};
 
 /// ‖ẽ − G̃λ‖/‖ẽ‖ that counts as equilibrium, and where nothing comes nearer.
@@ -28,6 +29,8 @@ const LEAST_POWER: f64 = 1e-8;
 /// limit; and how many times the load such a force may be, while the proof stands.
 const SLACK: f64 = 1e-10;
 const MOST_FORCE: f64 = 1e6;
+/// Friction less by this part makes the load impossible: it is at the limit.
+const AT_THE_LIMIT: f64 = 1e-6;
 const MAX_PROXIMAL_STEPS: usize = 40;
 /// δ of the first step, and the smallest one, in squares of the longest column of G̃; what it is divided by.
 const SOFTEST: f64 = 0.1;
@@ -38,7 +41,6 @@ const SOFTEST_AGAIN: f64 = 1e-3;
 const MAX_PROXIMAL_STEPS_AGAIN: usize = 12;
 
 /// What statics say.
-#[derive(Debug)]
 pub(crate) enum Equilibrium {
     /// Some λ ∈ Λ balances the load.
     Possible,
@@ -51,26 +53,38 @@ pub(crate) enum Equilibrium {
 
 /// Looks for a λ in `reach` that balances the load.
 pub(crate) fn find(balance: &Balance, reach: &AttainableForces) -> Equilibrium {
-    let statics = Statics::new(balance, reach);
-    if statics.load == 0.0 {
+    let question = Question::new(balance, reach);
+    if question.load == 0.0 {
         return Equilibrium::Possible;
     }
-    let nothing = vec![0.0; statics.columns.len()];
-    statics
+    let nothing = vec![0.0; question.columns.len()];
+    question
         .ascend(nothing, balance.load.clone(), SOFTEST, MAX_PROXIMAL_STEPS)
-        .or_else(|| statics.ask())
+        .or_else(|| question.ask())
         .unwrap_or(Equilibrium::Undecided)
 }
 
 /// The same with the conic solver asked at once, for a load that is not known to be in equilibrium although
 /// it may have seemed so.
 pub(crate) fn find_anew(balance: &Balance, reach: &AttainableForces) -> Equilibrium {
-    let statics = Statics::new(balance, reach);
-    statics.ask().unwrap_or(Equilibrium::Undecided)
+    let question = Question::new(balance, reach);
+    question.ask().unwrap_or(Equilibrium::Undecided)
+}
+
+/// What there is to say of a load that is not impossible.
+pub(crate) fn statics(balance: &Balance, reach: &AttainableForces) -> Statics {
+    let less = reach.with_less_friction(1.0 - AT_THE_LIMIT);
+    if let Equilibrium::Impossible { .. } = find(balance, &less) {
+        return Statics::AtTheLimit;
+    }
+    match find(balance, reach) {
+        Equilibrium::Possible => Statics::Balanced,
+        Equilibrium::Impossible { .. } | Equilibrium::Undecided => Statics::Undecided,
+    }
 }
 
 /// The question, with what its answers are measured by.
-struct Statics<'a> {
+struct Question<'a> {
     balance: &'a Balance,
     reach: &'a AttainableForces,
     /// Lengths of the columns of G̃.
@@ -81,7 +95,7 @@ struct Statics<'a> {
     load: f64,
 }
 
-impl<'a> Statics<'a> {
+impl<'a> Question<'a> {
     fn new(balance: &'a Balance, reach: &'a AttainableForces) -> Self {
         let dim = balance.rows.first().map_or(0, Vec::len);
         let square = |i: usize| balance.rows.iter().map(|row| row[i] * row[i]).sum::<f64>();
@@ -138,7 +152,7 @@ impl<'a> Statics<'a> {
                 entries.filter(|(_, g)| *g != 0.0).collect()
             })
             .collect();
-        let nearest = conic::nearest(&Question {
+        let nearest = conic::nearest(&conic::Question {
             columns: &columns,
             load: &self.balance.load,
             reach: self.reach,

@@ -13,5 +13,7 @@ mod equilibrium;
 pub(crate) mod first_guess;
 mod foundation;
 pub(crate) mod multiplier;
+mod statics;
 
 pub use balance::Equality;
+pub use statics::Statics;

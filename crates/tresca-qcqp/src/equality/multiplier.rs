@@ -64,11 +64,20 @@ pub(crate) fn solve(
     if let Some(ending) = without_equilibrium(session, rhs, set, law, balance) {
         return ending;
     }
-    let ending = ascend(session, problem, start, multiplier);
+    let mut ending = ascend(session, problem, start, multiplier);
     if doubtful(balance, &ending) {
         let anew =
             ending_without_equilibrium(session, rhs, set, law, balance, equilibrium::find_anew);
-        return anew.unwrap_or(ending);
+        if let Some(anew) = anew {
+            return anew;
+        }
+        if !ending.status.is_converged() {
+            let reach = AttainableForces::new(set, law);
+            ending.statics = Some(equilibrium::statics(
+                &balance.with_diagonal_metric(),
+                &reach,
+            ));
+        }
     }
     ending
 }

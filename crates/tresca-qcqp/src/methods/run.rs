@@ -429,6 +429,7 @@ fn ending(status: Status, chosen: Judged, set: ProductSet, reference: f64) -> En
         multiplier: Vec::new(),
         equality_residual: 0.0,
         motion: None,
+        statics: None,
         contradiction: None,
         outer_iterations: 0,
         outer_residual: chosen.bounds_change,

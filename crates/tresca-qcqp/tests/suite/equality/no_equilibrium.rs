@@ -1,7 +1,7 @@
 //! Loads that no contact can balance, and the proof of it.
 
 use super::*;
-use tresca_qcqp::CoulombBound;
+use tresca_qcqp::{CoulombBound, Statics};
 
 #[test]
 fn loads_that_nothing_holds_are_proved_so() {
@@ -137,7 +137,10 @@ fn the_limit_load_is_sharp() {
         .unwrap();
         match solution.status {
             Status::Converged => assert_solves(&floating, &solution, 1e-8, "at the limit"),
-            Status::NoEquilibrium | Status::IterationLimit | Status::Stagnated => {}
+            Status::NoEquilibrium => {}
+            Status::IterationLimit | Status::Stagnated => {
+                assert_eq!(solution.statics, Some(Statics::AtTheLimit), "case {number}");
+            }
             status => panic!("case {number}: {status}"),
         }
     }
@@ -185,6 +188,42 @@ fn a_motion_that_no_contact_feels_is_decided_by_its_load() {
         } else {
             assert_eq!(solution.status, Status::NoEquilibrium);
             assert!(solution.motion.unwrap()[2] > 0.999);
+        }
+    }
+}
+
+/// The load that friction can just hold, and what is within rounding of it, is never said to be impossible; and
+/// an end without answer says where the load is.
+#[test]
+fn a_load_at_the_limit_is_not_called_impossible() {
+    let half = HalfSpace::new(4, 0.3);
+    let m = half.pairs();
+    let bound = 1.0 / m as f64;
+    // Bounds that are all needed, along directions that differ by a little.
+    for (number, share) in [1.0, 1.0 + 1e-12, 1.0 + 1e-10, 1.0 - 1e-10]
+        .into_iter()
+        .enumerate()
+    {
+        for turned in [0.0, 0.3] {
+            let along = [share * f64::cos(turned), share * f64::sin(turned), -1.0];
+            let mut floating = half.block(along, 0.0, |_| 0.0);
+            floating.plain.set = ProductSet::contact_3d(&vec![bound; m]).unwrap();
+            let solution = solve(
+                &mut floating.problem(),
+                &Settings::default(),
+                None,
+                &mut Silent,
+            )
+            .unwrap();
+            match solution.status {
+                Status::Converged => assert_solves(&floating, &solution, 1e-8, "at the limit"),
+                Status::IterationLimit | Status::Stagnated => assert_eq!(
+                    solution.statics,
+                    Some(Statics::AtTheLimit),
+                    "{number}, {turned}"
+                ),
+                status => panic!("{number}, {turned}: {status}"),
+            }
         }
     }
 }
