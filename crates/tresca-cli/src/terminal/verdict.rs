@@ -162,9 +162,13 @@ fn steps(report: &RunReport) {
 fn contact(step: &StepReport) {
     let contact = &step.contact;
     print!(
-        "contact: {} closed, {} open, {} stick, {} slip; Σ normal force {:.6e}",
-        contact.closed, contact.open, contact.stick, contact.slip, contact.normal_force_sum
+        "contact: {} closed ({} stick, {} slip), {} open",
+        contact.closed, contact.stick, contact.slip, contact.open
     );
+    if contact.open_with_friction > 0 {
+        print!(" ({} with friction)", contact.open_with_friction);
+    }
+    print!("; Σ normal force {:.6e}", contact.normal_force_sum);
     for (name, value) in [
         ("max pressure", contact.max_pressure),
         ("max slip", contact.max_slip_component),

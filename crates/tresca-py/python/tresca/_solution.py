@@ -24,7 +24,7 @@ class Certificate(dict[str, float]):
     Computed from displacements and forces alone, by a way that knows nothing of the solver's residuals:
 
     ``equilibrium``
-        ``‖K u + Bᵀλ − f‖`` over the largest of the three terms.
+        ``‖K u + Bᵀλ − f‖`` over the forces that act, ``‖f‖`` or ``‖Bᵀλ‖``: the worst body.
     ``penetration``
         Largest ``max(N u − d, 0)`` over the largest displacement or gap.
     ``normal_force_sign``
@@ -144,12 +144,14 @@ class Solution:
 
     def __repr__(self) -> str:
         pairs = len(self.normal_force)
-        closed, stick = int(self.closed.sum()), int(self.stick.sum())
+        contact = self.summary["steps"][-1]["contact"]
         lines = [
             f"<tresca.Solution: {self.status} after {self.iterations} iterations, {self.n_a} multiplications by A",
             f"  relative reduced gradient {self.relative_reduced_gradient:.1e}, "
             f"worst figure of the certificate {self.certificate.worst:.1e}",
-            f"  {pairs} pairs: {closed} closed, {pairs - closed} open; {stick} stick, {pairs - stick} slip",
+            f"  {pairs} pairs: {contact['closed']} closed ({contact['stick']} stick, {contact['slip']} slip), "
+            f"{contact['open']} open",
+
             f"  sum of normal forces {self.normal_force.sum():.6g}, dual objective {self.dual_objective:.6g}",
         ]
         lines += [f"  note: {note}" for note in self.notes]

@@ -241,7 +241,7 @@ mod tests {
     use crate::coulomb::law::{CoulombBound, CoulombLaw};
     use crate::sets::block::Block;
     use crate::sets::product::ProductSet;
-    use crate::sets::{Disc, HalfLine, Interval, Line, Point};
+    use crate::sets::{Disc, HalfLine, Interval, Line, Origin};
     use tresca_la::vector::dot;
 
     /// Every kind of block, with bounds of many sizes.
@@ -253,7 +253,7 @@ mod tests {
             BlockSet::HalfLine(HalfLine),
             BlockSet::Disc(Disc { bound: 0.1 * size }),
             BlockSet::Line(Line),
-            BlockSet::Point(Point),
+            BlockSet::Origin(Origin),
             BlockSet::Disc(Disc { bound: 0.0 }),
             BlockSet::Interval(Interval { bound: 1e3 * size }),
             BlockSet::Interval(Interval { bound: 1e300 }),

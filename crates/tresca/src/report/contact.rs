@@ -17,9 +17,11 @@ pub struct ContactReport {
     pub closed: usize,
     /// Pairs that do not.
     pub open: usize,
-    /// Pairs whose friction force is below the slip bound.
+    /// Open pairs that carry friction all the same: Tresca's bound does not ask for pressure.
+    pub open_with_friction: usize,
+    /// Closed pairs whose friction force is below the slip bound.
     pub stick: usize,
-    /// Pairs at the slip bound.
+    /// Closed pairs at the slip bound.
     pub slip: usize,
     /// Pairs left out, or without effect, because nothing lets them move; of cases and matrices.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -38,15 +38,21 @@ pub(super) fn of_solution(solution: &Solution) -> StepReport {
 }
 
 fn contact(solution: &Solution) -> ContactReport {
-    let count = |flags: &[bool]| flags.iter().filter(|flag| **flag).count();
     let pairs = solution.normal_force.len();
-    let (closed, stick) = (count(&solution.closed), count(&solution.stick));
+    let tangents = solution.tangential_force.len() / pairs.max(1);
+    let count = |test: &dyn Fn(usize) -> bool| (0..pairs).filter(|&pair| test(pair)).count();
+    let (closed, stick) = (&solution.closed, &solution.stick);
+    let has_friction = |pair: usize| {
+        let own = &solution.tangential_force[tangents * pair..tangents * (pair + 1)];
+        own.iter().any(|&force| force != 0.0)
+    };
     ContactReport {
         pairs,
-        closed,
-        open: pairs - closed,
-        stick,
-        slip: pairs - stick,
+        closed: count(&|pair| closed[pair]),
+        open: count(&|pair| !closed[pair]),
+        open_with_friction: count(&|pair| !closed[pair] && has_friction(pair)),
+        stick: count(&|pair| closed[pair] && stick[pair]),
+        slip: count(&|pair| closed[pair] && !stick[pair]),
         held: solution.description.as_ref().map(|own| own.held_pairs),
         normal_force_sum: solution.normal_force.iter().sum(),
         max_slip_component: Some(largest(solution.slip.iter().map(|slip| slip.abs()))),
