@@ -122,13 +122,27 @@ pub(crate) fn at_rest(bodies: &[SystemBody]) -> Vec<Vec<f64>> {
     bodies.iter().map(|body| vec![0.0; body.dofs()]).collect()
 }
 
-/// e = Rᵀf of all floating bodies.
+/// What is left of a sum beside the size of its terms that is rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// e = Rᵀf of all floating bodies. Loads on a body that are in equilibrium among themselves leave nothing, not
+/// their rounding, which no contact force may be there to balance.
 pub(crate) fn load_on_motions(bodies: &[SystemBody], loads: &[Vec<f64>]) -> Vec<f64> {
     bodies
         .iter()
         .zip(loads)
-        .flat_map(|(body, f)| body.motions().iter().map(move |r| dot(r, f)))
+        .flat_map(|(body, f)| body.motions().iter().map(move |r| resultant(r, f)))
         .collect()
+}
+
+fn resultant(r: &[f64], f: &[f64]) -> f64 {
+    let sum = dot(r, f);
+    let size: f64 = r.iter().zip(f).map(|(r, f)| (r * f).abs()).sum();
+    if sum.abs() <= ROUNDING * size {
+        0.0
+    } else {
+        sum
+    }
 }
 
 /// Adds R α to displacements; `alpha` holds the motions of all bodies in order.

@@ -150,7 +150,7 @@ impl Cones {
                         BlockSet::HalfLine(_) => cones.at_least(0.0, first),
                         BlockSet::Origin(_) => cones.none(block.range()),
                         BlockSet::Interval(_) | BlockSet::Disc(_) => match bound {
-                            Some(bound) if bound == 0.0 => cones.none(block.range()),
+                            Some(0.0) => cones.none(block.range()),
                             Some(bound) if bound < FAR => cones.within(bound, None, block.range()),
                             _ => {}
                         },
