@@ -212,7 +212,7 @@ fn a_load_at_the_limit_is_not_called_impossible() {
                 &mut floating.problem(),
                 &Settings::default(),
                 None,
-                &mut Silent,
+                &mut Unobserved,
             )
             .unwrap();
             match solution.status {
