@@ -226,4 +226,17 @@ fn a_load_at_the_limit_is_not_called_impossible() {
             }
         }
     }
+    for share in [1.0 + 1e-7, 1.0 + 1e-5] {
+        let mut floating = half.block([share, 0.0, -1.0], 0.0, |_| 0.0);
+        floating.plain.set = ProductSet::contact_3d(&vec![bound; m]).unwrap();
+        let solution = solve(
+            &mut floating.problem(),
+            &Settings::default(),
+            None,
+            &mut Silent,
+        )
+        .unwrap();
+        assert_eq!(solution.status, Status::NoEquilibrium, "{share}");
+        assert_proof(&floating, &solution);
+    }
 }
