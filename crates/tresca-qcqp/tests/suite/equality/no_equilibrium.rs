@@ -233,7 +233,7 @@ fn a_load_at_the_limit_is_not_called_impossible() {
             &mut floating.problem(),
             &Settings::default(),
             None,
-            &mut Silent,
+            &mut Unobserved,
         )
         .unwrap();
         assert_eq!(solution.status, Status::NoEquilibrium, "{share}");
