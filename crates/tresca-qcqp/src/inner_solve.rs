@@ -31,7 +31,7 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
     if helped && session.proximal_steps > 0 {
         return proximal::solve(session, inner, start);
     }
-    let limit = session.settings.max_iterations;
+    let limit = session.most_steps;
     let attempt = Attempt {
         method: session.settings.method,
         shift: Shift {
@@ -87,7 +87,7 @@ fn lost(session: &mut Session, inner: &Inner, ending: &Ending) -> bool {
 /// The steps after which the method of the settings makes room for proximal steps.
 fn first_share(session: &Session) -> usize {
     let done = session.journal.steps();
-    let left = session.settings.max_iterations.saturating_sub(done);
+    let left = session.most_steps.saturating_sub(done);
     if session.singular && session.settings.method != Method::Apgd {
         done + left.min(FEW)
     } else {

@@ -23,6 +23,8 @@ pub(crate) struct Session<'a> {
     pub journal: Journal,
     /// A is known to be singular.
     pub singular: bool,
+    /// Newton steps of all inner problems together that are left to what runs now: those of the settings, or a part.
+    pub most_steps: usize,
     /// Proximal steps so far.
     pub proximal_steps: usize,
     /// Sweeps over the contacts so far.

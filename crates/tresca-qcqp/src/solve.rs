@@ -76,6 +76,7 @@ pub fn solve(
         observer,
         journal,
         singular,
+        most_steps: settings.max_iterations,
         proximal_steps: 0,
         sweeps: 0,
     };

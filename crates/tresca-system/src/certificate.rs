@@ -158,8 +158,7 @@ impl Certificate {
         });
         items
             .chain(bodies)
-            // Written so that a NaN fails.
-            .filter(|(_, value, limit)| !(value <= limit))
+            .filter(|(_, value, limit)| value.is_nan() || value > limit)
             .map(|(item, value, limit)| Failure { item, value, limit })
             .max_by(|one, other| {
                 let excess = |own: &Failure| own.value / own.limit;

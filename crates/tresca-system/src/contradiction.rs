@@ -40,11 +40,14 @@ pub struct ContradictingPair {
     pub tangential: [f64; 2],
 }
 
+/// Rows of B, and the dofs that they touch, each with the number of its body.
+type Group = (Vec<usize>, HashSet<(usize, usize)>);
+
 /// The rows with a force, in groups that share dofs.
 fn groups(bodies: &[SystemBody], mu: &[f64]) -> Vec<Vec<usize>> {
     let size = largest(mu);
     let acting = (0..mu.len()).filter(|&i| mu[i].abs() >= VISIBLE * size);
-    let mut groups: Vec<(Vec<usize>, HashSet<(usize, usize)>)> = Vec::new();
+    let mut groups: Vec<Group> = Vec::new();
     for i in acting {
         let of_body = |(k, body): (usize, &SystemBody)| {
             let row: Vec<_> = body.coupling.row(i).map(|(dof, _)| (k, dof)).collect();

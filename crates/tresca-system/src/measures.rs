@@ -135,7 +135,7 @@ pub(crate) struct Interface {
     pub friction_work: f64,
     /// Σ λν (Nu − d) + Σ λτ·s, signed.
     contact_work: f64,
-    /// Σ of the absolute values.
+    /// Σ of the absolute values, as forces on bodies.
     pub forces: f64,
     pub largest_bound: f64,
     pub largest_normal: f64,
@@ -156,7 +156,6 @@ impl Interface {
         let mut sum = Self {
             largest_normal: largest(&lambda[..gaps.len()]),
             largest_force: largest(lambda).max(largest_load),
-            forces: lambda.iter().map(|l| l.abs()).sum(),
             ..Self::default()
         };
         for (i, gap) in gaps.iter().enumerate() {
@@ -173,6 +172,7 @@ impl Interface {
                 sum.adhesion = sum.adhesion.max(-lambda[i]);
             }
             let force = layout.tangential(lambda, i);
+            sum.forces += (lambda[i] / normal).abs() + norm(&force) / along;
             let slip = layout.tangential(relative, i);
             let Some(bounds) = slidings[i].bounds(lambda[i]) else {
                 sum.penetration = sum.penetration.max(along * norm(&slip));

@@ -8,6 +8,9 @@ use crate::settings::{CoulombMethod, Method};
 use crate::start::Start;
 use crate::status::Status;
 
+/// Steps that the loop gets before the fixed point, however few are allowed.
+const FEW: usize = 100;
+
 /// Solves it by the way that the settings name, and contact by contact where that gives up.
 pub(crate) fn solve(session: &mut Session, problem: &Frictional, start: Option<Start>) -> Ending {
     let ending = by_newton(session, problem, start);
@@ -29,7 +32,11 @@ fn by_newton(session: &mut Session, problem: &Frictional, start: Option<Start>) 
         // half on floating ones with iterative inner solves. But close to the load that friction can
         // just carry, bounds and rigid motions drive each other on, and the fixed point gets there.
         CoulombMethod::Auto => {
+            // The fixed point must have its share.
+            let all = session.most_steps;
+            session.most_steps = all.min(FEW).max(all / 2);
             let ending = in_loop::solve(session, problem, start);
+            session.most_steps = all;
             let steps_left = session.journal.steps() < session.settings.max_iterations;
             if gave_up(ending.status) && steps_left && !session.journal.stop {
                 fixed_point::solve(session, problem, start)

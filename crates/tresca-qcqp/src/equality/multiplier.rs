@@ -31,6 +31,8 @@ const FAR: f64 = 1e6;
 
 /// Weight of the residual that is measured in forces: a tenth of it is asked for.
 const FORCES: f64 = 0.1;
+/// Forces that balance to this are known well enough, whatever the tolerance.
+const KNOWN: f64 = 1e-9;
 
 /// The factor by which inner tolerances become finer than the one asked for where forces need it, and the least one.
 const FINER: f64 = 0.1;
@@ -134,7 +136,11 @@ fn ascend(
         // it is a large part of the load.
         let forces = balance.relative_shortfall(&shortfall, &ending.point.lambda);
         let moved = relative(balance.spread(&shortfall), ending.reference);
-        let residual = moved.max(FORCES * forces);
+        let residual = if forces > KNOWN {
+            moved.max(FORCES * forces)
+        } else {
+            moved
+        };
         let value = ending.objective + dot(&beta, &balance.load);
         // q itself, and the multiplier that the caller may use.
         ending.objective += dot(&beta, &applied(balance, &ending.point));

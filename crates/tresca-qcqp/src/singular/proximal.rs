@@ -39,7 +39,7 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
     let mut centre = start.map_or_else(|| vec![0.0; inner.rhs.len()], <[f64]>::to_vec);
     inner.set.project(&mut centre);
     let mut shift = FIRST * sigma;
-    let limit = session.settings.max_iterations;
+    let limit = session.most_steps;
     let mut best: Option<Ending> = None;
     let mut diverged = false;
     for _ in 0..MAX_STEPS {
@@ -108,7 +108,7 @@ pub(crate) fn solve(session: &mut Session, inner: &Inner, start: Option<&[f64]>)
         Status::Interrupted
     } else if diverged {
         Status::Diverged
-    } else if session.journal.steps() >= session.settings.max_iterations {
+    } else if session.journal.steps() >= session.most_steps {
         Status::IterationLimit
     } else {
         Status::Stagnated

@@ -215,7 +215,7 @@ fn recover(
         // Without contact the pairs would move by b: a force that takes that back.
         largest_load: match solution.figures.sigma_max {
             0.0 => 0.0,
-            sigma => largest(own) / sigma,
+            sigma => largest(&layout.forces(own)) / sigma,
         },
     };
     let nothing = vec![0.0; mu.len()];
@@ -225,8 +225,8 @@ fn recover(
     let contradiction = proof.map(|y| Contradiction::new(layout, layout.forces(y), &minus));
     let measured = Measured {
         displacements: Vec::new(),
-        moved: largest(&relative).max(largest(rhs)),
-        free: largest(rhs),
+        moved: largest(&layout.dual(&relative)).max(largest(own)),
+        free: largest(own),
         relative,
         elastic,
         dual_energy: None,

@@ -49,9 +49,11 @@ fn assert_check_values(outcome: &Outcome, relative: f64) {
     close(contact.max_slip_component.unwrap(), LARGEST_SLIP, 3e-6);
     assert_eq!(
         (contact.pairs, contact.closed, contact.stick),
-        (256, 116, 64),
+        (256, 116, 0),
         "{name}"
     );
+    let below_the_bound = outcome.last().pairs().filter(|pair| pair.stick);
+    assert_eq!(below_the_bound.count(), 64, "{name}");
     assert!(
         outcome
             .last()

@@ -214,7 +214,13 @@ pub fn tight() -> Settings {
 #[track_caller]
 pub fn solved(problem: &MatrixProblem, settings: &Settings) -> Solution {
     let solution = solve(problem, settings, &mut Silent).unwrap();
-    assert!(solution.converged(), "{}", solution.status);
+    assert!(
+        solution.converged(),
+        "{} {:?} {:?}",
+        solution.status,
+        solution.figures,
+        solution.certificate
+    );
     let worst = solution.certificate.worst();
     assert!(worst < 1e-7, "{:#?}", solution.certificate);
     solution

@@ -214,7 +214,13 @@ fn the_dual_form_takes_numbers_of_any_size() {
     for a in [1e-200, 1e-100, 1.0, 1e100, 1e200] {
         for b in [1e-90, 1.0, 1e90] {
             let found = solve(a, b, 0.2 * b / a);
-            assert!(found.converged(), "{a:e}, {b:e}: {}", found.status);
+            assert!(
+                found.converged(),
+                "{a:e}, {b:e}: {} {:?} {:?}",
+                found.status,
+                found.failure,
+                found.certificate
+            );
             assert_eq!(found.figures.n_a, expected.figures.n_a, "{a:e}, {b:e}");
             let force = found.normal_force[0] * (a / b);
             assert!(
