@@ -34,8 +34,10 @@ def check_contact(fields, step):
     closed, sticking = fields["closed"] == 1, fields["sticking"] == 1
     close("pairs", closed.size, contact["pairs"])
     close("closed", count(closed), contact["closed"])
-    close("stick", count(sticking), contact["stick"])
-    close("slip", count(~sticking), contact["slip"])
+    close("stick", count(closed & sticking), contact["stick"])
+    close("slip", count(closed & ~sticking), contact["slip"])
+    rubbed = np.linalg.norm(fields["tangential_force"], axis=1) > 0
+    close("open pairs with friction", count(~closed & rubbed), contact["open_with_friction"])
     close("sum of normal forces", fields["normal_force"].sum(), contact["normal_force_sum"])
     close("largest pressure", max(fields["contact_pressure"].max(), 0.0), contact["max_pressure"])
     close("largest gap", max(fields["gap"].max(), 0.0), contact["max_gap"])
