@@ -134,6 +134,7 @@ class Solution:
 
     @property
     def contradiction(self) -> dict[str, Any] | None:
+        """Pairs that contradict each other, and by how much; of ``"infeasible"`` solves."""
         found: dict[str, Any] | None = self.summary["steps"][-1].get("contradiction")
         return found
 
