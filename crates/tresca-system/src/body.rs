@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::tame::unit_of;
 use tresca_fem::rigid::Grounding;
-use tresca_la::vector::{axpy, dot};
+use tresca_la::vector::{axpy, dot, norm};
 use tresca_la::{
     BodySolver, FactorError, Ordering, OrderingError, Parallelism, SparseCholesky, SymmetricMatrix,
 };
@@ -122,8 +122,9 @@ pub(crate) fn at_rest(bodies: &[SystemBody]) -> Vec<Vec<f64>> {
     bodies.iter().map(|body| vec![0.0; body.dofs()]).collect()
 }
 
-/// What is left of a sum beside the size of its terms that is rounding.
+/// What is left of a sum beside the size of its terms that is rounding, and beside the size of all forces.
 const ROUNDING: f64 = 1e-13;
+const OF_ALL: f64 = 1e-15;
 
 /// e = Rᵀf of all floating bodies. Loads on a body that are in equilibrium among themselves leave nothing, not
 /// their rounding, which no contact force may be there to balance.
@@ -138,7 +139,8 @@ pub(crate) fn load_on_motions(bodies: &[SystemBody], loads: &[Vec<f64>]) -> Vec<
 fn resultant(r: &[f64], f: &[f64]) -> f64 {
     let sum = dot(r, f);
     let size: f64 = r.iter().zip(f).map(|(r, f)| (r * f).abs()).sum();
-    if sum.abs() <= ROUNDING * size {
+    // A load along one axis has rounding along the others.
+    if sum.abs() <= (ROUNDING * size).max(OF_ALL * norm(r) * norm(f)) {
         0.0
     } else {
         sum
